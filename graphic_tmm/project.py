@@ -30,6 +30,9 @@ from graphic_tmm.scene.chapter import (
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.tasks import calls_for
 
+CRANK = "crank"
+"""What a chapter says that takes only mechanisms which one crank drives, all round."""
+
 
 @dataclass(frozen=True)
 class Plan(Answer):
@@ -236,6 +239,8 @@ def record(
     )
     try:
         for chapter in bench.call():
+            if chapter.drive == CRANK:
+                _refuse_other_drives(scene, chapter)
             bench.enter(chapter.name, Plan.of(chapter).record(bench))
         for chapter in in_order(board):
             if chapter.name in bench.recorded:
@@ -243,6 +248,35 @@ def record(
     except StructureError as error:
         raise scene.located(error) from error
     return bench.project()
+
+
+def _refuse_other_drives(scene: Scene, chapter: Chapter) -> None:
+    """Refuse a chapter of machines that one crank drives all round, of another drive."""
+    mechanism, row, section = scene.mechanism, scene.row, chapter.asking
+    if mechanism is None:
+        return
+    link, reason = mechanism.drive.link, None
+    if mechanism.further:
+        reason = said("{n} links are driven", n=len(mechanism.drives))
+    elif mechanism.drive.slides:
+        reason = said("link {link} slides", link=link)
+    elif mechanism.at_rest:
+        reason = said("link {link} stands still", link=link)
+    elif row.ends is not None or row.places:
+        reason = said("the row of link {link} is no whole turn", link=link)
+    if reason is not None:
+        name = section.name if section is not None else chapter.name
+        raise StructureError(
+            said(
+                "it is drawn of a machine that one crank drives all round; here {reason}: leave [{name}] out, "
+                "or drive a crank",
+                reason=reason,
+                name=name,
+            ),
+            name,
+            "drive.link",
+            head=name,
+        )
 
 
 def own_boards(scene: Scene) -> tuple[str, ...]:

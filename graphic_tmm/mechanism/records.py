@@ -175,6 +175,11 @@ class Mechanism:
         return (*self.links, *self.passive)
 
     @property
+    def at_rest(self) -> bool:
+        """Whether nothing drives: only possible velocities are drawn then."""
+        return not any(drive.speed for drive in self.drives)
+
+    @property
     def drives(self) -> tuple[Drive, ...]:
         """The drives; the positions are those of the first."""
         return (self.drive, *self.further)

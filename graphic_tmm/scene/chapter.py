@@ -107,7 +107,8 @@ class Chapter:
     for none: then what it draws is told by a scene alone. ``builds_on``: the chapters whose marks it uses,
     which therefore record before it. ``places``: what sheets can show of it. ``sections``: what scenes may
     write for it; the first that does not only give something asks for the chapter. ``always``: it is recorded
-    for every mechanism, whatever sheets show. ``answers``: to readers, of a chapter that has no ``folder``:
+    for every mechanism, whatever sheets show. ``drive``: "crank" where it takes only mechanisms that one crank
+    drives, all round. ``answers``: to readers, of a chapter that has no ``folder``:
     the name of its package, set where it is found.
     """
 
@@ -118,6 +119,7 @@ class Chapter:
     places: tuple[Place, ...] = ()
     sections: tuple[Section, ...] = ()
     always: bool = False
+    drive: str = ""
     answers: tuple[Answer, ...] = ()
     folder: str = ""
 

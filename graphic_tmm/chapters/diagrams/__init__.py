@@ -39,6 +39,7 @@ from graphic_tmm.scene.chapter import Chapter, Place
 CHAPTER = Chapter(
     name=DIAGRAMS,
     number=3,
+    drive="crank",
     builds_on=(KINEMATICS,),
     places=(Place(DIAGRAMS, 30, beside=(ACCELERATIONS,)),),
     sections=SECTIONS,

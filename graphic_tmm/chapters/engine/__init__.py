@@ -47,6 +47,7 @@ _DIAGRAMS = said(
 CHAPTER = Chapter(
     name=ENGINE,
     number=7,
+    drive="crank",
     builds_on=(KINEMATICS, INDICATOR, FORCES),
     places=(
         Place("engine", 70, asks=(_PLAN,)),

@@ -43,6 +43,7 @@ from graphic_tmm.scene.chapter import Chapter, Place
 CHAPTER = Chapter(
     name=FLYWHEEL,
     number=5,
+    drive="crank",
     builds_on=(KINEMATICS, INDICATOR, FORCES),
     places=(Place(FLYWHEEL, 50),),
     sections=SECTIONS,

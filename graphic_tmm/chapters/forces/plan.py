@@ -93,6 +93,8 @@ def record(bench: Bench) -> Forces | None:
     order, plans = ASKED.of(bench.scene), KINEMATICS_PLAN.on(bench)
     if order is None:
         return None
+    if plans.accelerations is None:
+        order = replace(order, inertia=False)  # nothing moves, or gains speed
     cylinder = INDICATOR_PLAN.of(bench) if order.gas is not None else None
     made = draw_forces(_ground(bench, plans), order, cylinder)
     places = chosen(order.positions, bench.names, ASKED.section)

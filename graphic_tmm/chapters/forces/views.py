@@ -176,7 +176,7 @@ def vectors_of(polygon: Polygon, language: str) -> str:
 def group_shown(drawn: Drawn, made: Forces, solved: Solved) -> GroupFigure:
     """Return what the figure of a group shows."""
     closing, unknown = solved.closing, list[Reactive]()
-    links = closing.group.links
+    links = (*closing.group.links, *closing.group.rods)
     # the sides of unknown size end a polygon, that of the first leg last
     last = reversed(solved.polygon.sides[-2:])
     for leg, reaction, along in zip(closing.legs, solved.reactions, last, strict=False):

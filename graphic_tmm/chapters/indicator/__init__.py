@@ -32,6 +32,7 @@ from graphic_tmm.scene.chapter import Chapter
 CHAPTER = Chapter(
     name=INDICATOR,
     number=4,
+    drive="crank",
     builds_on=(KINEMATICS, DIAGRAMS),
     sections=SECTIONS,
 )

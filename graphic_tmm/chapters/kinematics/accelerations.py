@@ -115,6 +115,9 @@ def _tangential_line(
         start = plan.ends[leg.link] = _rod_out(
             draft, velocities, plan, leg, start, point + leg.letter
         )
+    if velocities.possible:
+        segment = between(start, point)
+        return draft.draw(square, f"({segment})", start, leg.line, sense=1, why=why.TANGENTIAL)
     segment, reading = between(start, letter), velocities.readings[leg.link]
     length = draft.draw(normal, segment, reading, leg.length)
     component(draft, length, "n", point, leg.letter)
@@ -134,13 +137,9 @@ def _rod_out(
 
     ``ends``: the letters of both pins.
     """
-    letter, out = f"k{leg.link}", velocities.outs[leg.link]
-    segment = between(start, letter)
-    length = draft.draw(coriolis, segment, velocities.rates[leg.link], out)
-    component(draft, length, "k", ends)
-    across = draft.draw(square, f"({segment})", start, leg.line, sense=1, why=why.ROD_CORIOLIS)
-    end = draft.draw(lay_off, letter, across, length, free=True, why=why.VECTOR)
-    gain = plan.speeds.get(leg.rod)
+    gain, end = plan.speeds.get(leg.rod), start
+    if not velocities.possible:
+        end = _coriolis_of_rod(draft, velocities, leg, start, ends)
     if gain is None:
         return end
     segment = between(end, f"r{leg.link}")
@@ -150,13 +149,22 @@ def _rod_out(
     return draft.draw(lay_off, f"r{leg.link}", along, length, free=True, why=why.VECTOR)
 
 
+def _coriolis_of_rod(draft: Draft, velocities: Motion, leg: PinLeg, start: Mark, ends: str) -> Mark:
+    letter, out = f"k{leg.link}", velocities.outs[leg.link]
+    segment = between(start, letter)
+    length = draft.draw(coriolis, segment, velocities.rates[leg.link], out)
+    component(draft, length, "k", ends)
+    across = draft.draw(square, f"({segment})", start, leg.line, sense=1, why=why.ROD_CORIOLIS)
+    return draft.draw(lay_off, letter, across, length, free=True, why=why.VECTOR)
+
+
 def _relative_line(
     draft: Draft, velocities: Motion, plan: Motion, closing: Closing, leg: GuideLeg
 ) -> Mark:
     """Lay off the Coriolis segment if what is slid on turns; draw the line of the relative acceleration."""
     start = known_image(plan, closing, leg)
     turning = velocities.rates.get(closing.legs[1].link if leg.inner else leg.body)
-    if turning is not None:
+    if turning is not None and not velocities.possible:
         letter, slid = f"k{leg.link}", velocities.readings[leg.link]
         segment = between(start, letter)
         length = draft.draw(coriolis, segment, turning, slid)

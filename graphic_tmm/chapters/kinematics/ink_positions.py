@@ -217,7 +217,7 @@ class PositionsInk(LinksInk):
         self, pairs: Iterable[DrivenPair], positions: Positions, main: int, size: float
     ) -> Iterator[Arrow]:
         """Yield the arrows that tell which way each drive goes, and whether it gains speed."""
-        for pair in pairs:
+        for pair in (one for one in pairs if one.drive.speed):
             arm = pair.arm_ends(positions)
             yield from (
                 self._turns(pair.drive, arm, main, size)

@@ -173,7 +173,7 @@ class Motion:
     ``closed``: the image of each group's closing point, as a point of the second leg's link, by group name.
     ``ends``: of a leg of changing length, by its link, where the part begins that turns only; ``outs``: the
     segment (Length) of its rod's velocity seen from the cylinder. ``driven``: by the link of each drive, the
-    ends of the vector that is given.
+    ends of the vector that is given; ``possible``: of a mechanism that stands, what could be.
     """
 
     images: Images
@@ -186,6 +186,7 @@ class Motion:
     ends: dict[int, Mark] = field(default_factory=dict)
     outs: dict[int, Mark] = field(default_factory=dict)
     driven: dict[int, tuple[Mark, Mark]] = field(default_factory=dict)
+    possible: bool = False
 
     @property
     def speed(self) -> Mark | None:

@@ -48,7 +48,7 @@ def draw_velocities(
     mu = draft.scale("μ_v", "(m/s)/mm")
     draft.lay_out(pole)
     frame = positions.bodies[mechanism.frame.number]
-    plan = Motion(Images(draft, pole, frame), mu)
+    plan = Motion(Images(draft, pole, frame), mu, possible=mechanism.at_rest)
     turn = VelocityLines(draft, turned, mechanism.drive.sense)
     for pair in driven(mechanism, structure):
         pair.velocity(positions, plan, turn)

@@ -104,6 +104,10 @@ def given_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of velocities of each position, or of all of them from a common pole."""
     _, words = speaking(drawn.scene.language), captions(drawn.scene.language)
+    mechanism = drawn.scene.mechanism
+    if mechanism is not None and mechanism.at_rest:
+        one, several = _("Plan of possible velocities"), _("Plans of possible velocities")
+        return _plans(VELOCITIES, one, several, drawn, lettered)
     if drawn.scene.turned:
         return _plans(
             VELOCITIES, _("Turned velocity plan"), _("Turned velocity plans"), drawn, lettered

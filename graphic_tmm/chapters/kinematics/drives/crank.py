@@ -79,7 +79,10 @@ class Crank(DrivenPair):
 
     def real_arm(self, draft: Draft, positions: Positions) -> Mark:
         """Return the mark of its real length l_OA, m."""
-        return draft.uses(self.drawn_arm(draft, positions))[0]
+        return self._arm_of(draft, positions.bodies[self.link])
+
+    def _arm_of(self, draft: Draft, body: Body) -> Mark:
+        return draft.uses(draft.uses(body.marks[self.pin])[1])[0]
 
     def drawn_arm(self, draft: Draft, positions: Positions) -> Mark:
         """Return the mark of its length on the board."""
@@ -88,7 +91,7 @@ class Crank(DrivenPair):
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
         """Draw the velocity of its pin."""
         draft, pole, number = lines.draft, plan.images.pole, self.link
-        pivot, pin, speed = self.pivot, self.pin, self.drive.speed
+        pivot, pin, speed = self.pivot, self.pin, self.speed
         body = positions.bodies[number]
         draft.say(f"v_{pin} = ω_{number}·l_{{{pivot}{pin}}},  v_{pin} ⊥ {pivot}{pin}")
         omega = draft.take(Number, f"ω_{number}", abs(speed), "1/s")
@@ -118,21 +121,11 @@ class Crank(DrivenPair):
         """Draw the acceleration of its pin."""
         pole, number, pivot, pin = plan.images.pole, self.link, self.pivot, self.pin
         body, letter, epsilon = positions.bodies[number], image_letter(pin), self.drive.acceleration
-        arm = self.real_arm(draft, positions)
-        normal_of = f"a_{{{pin}}}^{{n}}" if epsilon else f"a_{pin}"
-        draft.say(f"{normal_of} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
-        omega = velocities.speeds[number]
-        because = why.NORMAL_OF_PIN if epsilon else why.GAIN_OF_PIN
-        value = draft.draw(product_of_squares, normal_of, omega, arm, unit="m/s²", why=because)
-        first = f"n{number}" if epsilon else letter
-        segment = between(pole, first)
-        length = draft.draw(to_board, segment, value)
-        inward = draft.draw(
-            parallel, f"({segment})", pole, body.axis, sense=-1, why=why.TO_THE_PIVOT
-        )
-        end = draft.draw(lay_off, first, inward, length, why=why.VECTOR)
+        arm, end = self.real_arm(draft, positions), pole
+        if not self.mechanism.at_rest:
+            first = f"n{number}" if epsilon else letter
+            end = self._normal(draft, velocities, plan, body, first)
         if epsilon:
-            component(draft, length, "n", letter)
             draft.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
             plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
             name_t, gain = f"a_{{{pin}}}^{{t}}", plan.rates[number]
@@ -151,12 +144,34 @@ class Crank(DrivenPair):
         plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
         plan.images.complete(body)
 
+    def _normal(
+        self, draft: Draft, velocities: Motion, plan: Motion, body: Body, first: str
+    ) -> Mark:
+        """Lay off the normal acceleration of its pin; return its end, lettered ``first``."""
+        number, pivot, pin = self.link, self.pivot, self.pin
+        epsilon, pole, arm = self.drive.acceleration, plan.images.pole, self._arm_of(draft, body)
+        normal_of = f"a_{{{pin}}}^{{n}}" if epsilon else f"a_{pin}"
+        draft.say(f"{normal_of} = ω_{number}²·l_{{{pivot}{pin}}},  {pin} → {pivot}")
+        because = why.NORMAL_OF_PIN if epsilon else why.GAIN_OF_PIN
+        known = velocities.speeds[number], arm
+        value = draft.draw(product_of_squares, normal_of, *known, unit="m/s²", why=because)
+        segment = between(pole, first)
+        length = draft.draw(to_board, segment, value)
+        inward = draft.draw(
+            parallel, f"({segment})", pole, body.axis, sense=-1, why=why.TO_THE_PIVOT
+        )
+        end = draft.draw(lay_off, first, inward, length, why=why.VECTOR)
+        if epsilon:
+            component(draft, length, "n", image_letter(pin))
+        return end
+
     @property
     def sizes(self) -> Sizes[float]:
         """Its length, the speed and the acceleration of its pin."""
-        arm, drive = abs(self.arm), self.drive
-        gain = abs(drive.speed**2 + 1j * drive.acceleration) * arm
-        return Sizes(arm, abs(drive.speed) * arm, gain)
+        arm, speed = abs(self.arm), abs(self.speed)
+        own = 0.0 if self.mechanism.at_rest else speed
+        gain = abs(own**2 + 1j * self.drive.acceleration) * arm
+        return Sizes(arm, speed * arm, gain)
 
     @property
     def segments(self) -> Sizes[str]:
@@ -170,21 +185,26 @@ class Crank(DrivenPair):
 
     def rate_known(self, ledger: Ledger) -> Mark:
         """Write down its angular velocity (1/s)."""
-        return ledger.speed(str(self.link), self.drive.speed)
+        return ledger.speed(str(self.link), self.speed)
 
     def speed_known(self, ledger: Ledger) -> Mark:
         """Write down v = ω·l."""
         known = self.rate_known(ledger), self.length_known(ledger)
         return ledger.calculated(product, f"v_{self.pin}", *known, unit="m/s")
 
-    def gain_known(self, ledger: Ledger) -> Mark:
-        """Write down a = ω²·l."""
+    def gain_known(self, ledger: Ledger) -> Mark | None:
+        """Write down a = ω²·l; nothing of what stands."""
+        if self.mechanism.at_rest:
+            return None
         known = self.rate_known(ledger), self.length_known(ledger)
         return ledger.calculated(product_of_squares, f"a_{self.pin}", *known, unit="m/s²")
 
     def given(self) -> Iterator[Given]:
         """Yield its speed, in turns a minute where it was given so, and its acceleration."""
-        yield given_speed(str(self.link), self.drive.speed)
+        if self.mechanism.at_rest:
+            yield Given(f"ω_{self.link}", 0.0, "1/s")
+        else:
+            yield given_speed(str(self.link), self.drive.speed)
         if self.drive.acceleration:
             yield Given(f"ε_{self.link}", self.drive.acceleration, "1/s²")
 

@@ -75,7 +75,7 @@ class Cylinder(DrivenPair):
 
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
         """Take how fast the rod runs out; its group draws it."""
-        speed = lines.draft.take(Number, self.speed_letter, self.drive.speed, "m/s")
+        speed = lines.draft.take(Number, self.speed_letter, self.speed, "m/s")
         plan.speeds[self.link] = speed
 
     def acceleration(

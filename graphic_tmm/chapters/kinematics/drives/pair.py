@@ -63,6 +63,13 @@ class DrivenPair(ABC):
         return self.driven.drive
 
     @property
+    def speed(self) -> float:
+        """Its rate; of what stands, a possible one of the first drive, 1 of its unit, others held."""
+        if self.mechanism.at_rest and self.drive == self.mechanism.drive:
+            return float(self.drive.sense)
+        return self.drive.speed
+
+    @property
     def pair(self) -> Pair:
         """The pair that it drives."""
         return self.driven.pair
@@ -136,11 +143,11 @@ class DrivenPair(ABC):
     @property
     def sizes(self) -> Sizes[float]:
         """What is known of it beforehand (SI)."""
-        return Sizes(reach(self.mechanism), abs(self.drive.speed), abs(self.drive.acceleration))
+        return Sizes(reach(self.mechanism), abs(self.speed), abs(self.drive.acceleration))
 
     def rate_known(self, ledger: Ledger) -> Mark:
         """Write down the rate that is given: v (m/s); of what turns ω (1/s)."""
-        return ledger.quantity(self.speed_letter, abs(self.drive.speed), "m/s")
+        return ledger.quantity(self.speed_letter, abs(self.speed), "m/s")
 
     @property
     @abstractmethod

@@ -103,7 +103,7 @@ class Slider(DrivenPair):
         """Draw the velocity of its point."""
         draft, pole, letter = lines.draft, plan.images.pole, image_letter(self.pin)
         draft.say(f"{self.speed_letter} ∥ {self.pair.name}")
-        speed = draft.take(Number, self.speed_letter, self.drive.speed, "m/s")
+        speed = draft.take(Number, self.speed_letter, self.speed, "m/s")
         plan.speeds[self.link] = speed
         segment = between(pole, letter)
         length = draft.draw(to_board, segment, speed)
