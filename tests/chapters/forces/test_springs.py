@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from support.loaded import RATIO, errors, solve, weighed
 from support.mechanisms import KINDS, Sampled, sample
 from support.oracle import State, solve_fast
 
+import graphic_tmm as tmm
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.spring_diagrams import laws, spring_views
 from graphic_tmm.chapters.forces.task import ForcesTask, Spring
@@ -221,3 +223,56 @@ def test_a_task_shows_and_gives_the_spring(tmp_path: Path, more: str) -> None:
 def part_given(part: Chapter, scene: Scene) -> list[Given]:
     sheet = TaskSheet.of(part)
     return list(sheet.given(scene)) if sheet.given is not None else []
+
+
+@pytest.mark.parametrize("fast", [False, True])
+@pytest.mark.parametrize("turned", [False, True])
+def test_at_any_angle(tmp_path: Path, turned: bool, fast: bool) -> None:
+    file = scene_of(tmp_path, RATED + 'damping = "80 N*s/m"\n')
+    scene = replace(read(file), turned=turned)
+    angles = np.random.default_rng(1).uniform(0.0, 360.0, 300)
+    found = tmm.motion(scene, angles, plans=["forces"], exact=True, fast=fast).balance
+    phi, step = np.radians(angles), 1e-40
+    by_phi = length(phi + 1j * step).imag / step
+    force = 1000.0 * (length(phi) - 0.1) + 80.0 * 15.0 * by_phi
+    for name in ("P_bal_forces", "P_bal_lever"):
+        np.testing.assert_allclose(found[name] * 0.04, force * by_phi, atol=1e-9)
+
+
+def test_the_moment_reduced_to_the_crank(tmp_path: Path) -> None:
+    """M_r = −F dl/dφ: positive where spring and damper drive the crank."""
+    wheel = "[flywheel]\ndelta = 0.05\n[effects]\ninertia = true\n"
+    told = scene_of(tmp_path, RATED + 'damping = "80 N*s/m"\n').read_text(encoding="utf8")
+    told = told.replace("positions = 8", "positions = 24").replace("S2", "D")
+    told = told.replace("D = [0.06, 0] }", 'D = [0.06, 0] }\nmass = 1\ncentre = "D"\nJ = 0.001')
+    told = told.replace("E = [-0.02, 0] }", 'E = [-0.02, 0] }\nmass = 1\ncentre = "E"\nJ = 0.001')
+    file = tmp_path / "scene.toml"
+    file.write_text(told.replace("[forces]", wheel + "[forces]"), encoding="utf8")
+    made = drawn(file)
+    (mark,) = (s.it for s in made.construction.steps if s.it.letter == "M_r")
+    phi, step = np.arange(24) * np.pi / 12, 1e-40
+    by_phi = length(phi + 1j * step).imag / step
+    force = 1000.0 * (length(phi) - 0.1) + 80.0 * 15.0 * by_phi
+    np.testing.assert_allclose(made.reading[mark][0][:24], -force * by_phi, atol=1e-9)
+
+
+def test_with_friction_both_methods_agree(tmp_path: Path) -> None:
+    rough = '[effects]\nfriction = true\n[friction]\nf = 0.1\nradius = "6 mm"\npasses = 12\n'
+    spring = RATED + 'damping = "80 N*s/m"\nlinks = [2, 3]\n'
+    told = (
+        scene_of(tmp_path, spring)
+        .read_text(encoding="utf8")
+        .replace("[forces]", rough + "[forces]")
+    )
+    file = tmp_path / "scene.toml"
+    file.write_text(told, encoding="utf8")
+    made = drawn(file)
+    forces = FORCES_PLAN.on(made)
+    found = [made.reading[one][0] for one in (forces.balance, forces.lever.balance)]
+    np.testing.assert_allclose(*found, rtol=1e-6, atol=1e-9)
+    phi, step = np.arange(8) * np.pi / 4, 1e-40
+    by_phi = length(phi + 1j * step).imag / step
+    smooth = (1000.0 * (length(phi) - 0.1) + 1200.0 * by_phi) * by_phi
+    lost = found[0] * 0.04 - smooth
+    assert (lost > -1e-9).all()  # friction only takes
+    assert lost.max() > 1e-3
