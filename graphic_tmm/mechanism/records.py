@@ -125,7 +125,8 @@ class Drive:
 
     A link that turns: rad/s (counter-clockwise positive) and rad/s². One that ``slides``: m/s along its guide,
     or out of its cylinder, and m/s². ``start``: of a drive besides the first, its coordinate (degrees or m) in
-    the zero position.
+    the zero position. ``rack``: the pitch radius (m) of the wheel on its link, where a rack turns that: the
+    coordinate is how far the rack has come then, and its rates are the rack's.
     """
 
     link: int
@@ -133,6 +134,7 @@ class Drive:
     acceleration: float = 0.0
     slides: bool = False
     start: float = 0.0
+    rack: float = 0.0
 
     @property
     def sense(self) -> int:

@@ -127,7 +127,9 @@ def _drive(
         start = drive.at
     elif (ends := _ends(drive)) and ends[-1] < ends[0]:
         sign = -1.0
-    return Drive(drive.link, sign * drive.speed, sign * drive.acceleration, slides, float(start))
+    rack = drive.rack if isinstance(drive, m.Drive) and drive.rack is not None else 0.0
+    rates = sign * drive.speed, sign * drive.acceleration
+    return Drive(drive.link, *rates, slides and not rack, float(start), rack)
 
 
 def _ends(drive: m.Drive) -> tuple[float, ...]:

@@ -18,7 +18,7 @@ from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.coordinates import Bare, Metres
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section, build
 from graphic_tmm.scene.document import as_table
-from graphic_tmm.scene.mechanism import Drive, Extreme, FurtherDrive, Link, Slide
+from graphic_tmm.scene.mechanism import Drive, Extreme, Frame, FurtherDrive, Link, Slide
 from graphic_tmm.scene.passive import passive_faults
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import called, of_section, sections
@@ -213,32 +213,46 @@ def _motion(path: Path, drive: Drive | FurtherDrive, parts: Parts) -> Iterator[F
     if link is None or parts.frame is None:
         return
     sliding = mechanism.slides(drive, link, parts.frame)
+    racked = isinstance(drive, Drive) and drive.rack is not None
+    if flaw := _wrong_speed(drive, link, parts.frame, sliding=sliding, racked=racked):
+        yield Flaw((*path, "speed"), flaw)
+    rest: dict[str, tuple[object, ...]] = {"acceleration": (drive.acceleration,)}
+    if isinstance(drive, FurtherDrive):
+        rest["at"] = (drive.at,)
+    else:
+        places = drive.positions if isinstance(drive.positions, tuple) else ()
+        rest |= {"from": (drive.begin,), "to": (drive.end,), "positions": places}
+    wrong = said('an angle is wanted, "20 deg": link {number} turns', number=link.number)
+    if racked:
+        wrong = said('a length is wanted, "200 mm": the rack slides')
+    elif sliding:
+        wrong = said('a length is wanted, "200 mm": link {number} slides', number=link.number)
+    for name, values in rest.items():
+        written = [one for one in values if isinstance(one, float) and not isinstance(one, Bare)]
+        if any(isinstance(one, Metres) != (sliding or racked) for one in written if one):
+            yield Flaw((*path, name), wrong)
+
+
+def _wrong_speed(
+    drive: Drive | FurtherDrive, link: Link, frame: Frame, *, sliding: bool, racked: bool
+) -> str:
+    """Return what is wrong with a speed of what turns, or slides, "" if nothing is."""
+    if racked:
+        slides = isinstance(drive.speed, Metres | Bare)
+        return "" if slides else said('a rack slides: write its speed, "0.2 m/s"')
     if sliding and not link.pairs:
-        says = said(
+        return said(
             "this is the speed of what slides, and link {number} slides on nothing: write its angular speed, "
             '"380 rpm", or give it slides',
             number=link.number,
         )
-        yield Flaw((*path, "speed"), says)
-    elif not sliding and link.pairs and not parts.frame.points.keys() & link.points.keys():
-        says = said(
+    if not sliding and link.pairs and not frame.points.keys() & link.points.keys():
+        return said(
             "this is an angular speed, and link {number} slides and turns about nothing fixed: write its "
             'speed, "0.2 m/s"',
             number=link.number,
         )
-        yield Flaw((*path, "speed"), says)
-    if isinstance(drive, FurtherDrive):
-        rest: dict[str, tuple[object, ...]] = {"at": (drive.at,)}
-    else:
-        places = drive.positions if isinstance(drive.positions, tuple) else ()
-        rest = {"from": (drive.begin,), "to": (drive.end,), "positions": places}
-    wrong = said('an angle is wanted, "20 deg": link {number} turns', number=link.number)
-    if sliding:
-        wrong = said('a length is wanted, "200 mm": link {number} slides', number=link.number)
-    for name, values in (*rest.items(), ("acceleration", (drive.acceleration,))):
-        written = [one for one in values if isinstance(one, float) and not isinstance(one, Bare)]
-        if any(isinstance(one, Metres) != sliding for one in written if one):
-            yield Flaw((*path, name), wrong)
+    return ""
 
 
 def _ends(drive: Drive) -> Iterator[Flaw]:

@@ -202,6 +202,12 @@ class Drive:
         "20 rad/s^2",
         0.0,
     )
+    rack: float | None = key(
+        v.POSITIVE_LENGTH,
+        "of a link that a rack turns: the pitch radius of its wheel; speed and places are the rack's",
+        "40 mm",
+        None,
+    )
     turns: str = key(v.TURNS, "which way it turns", "clockwise", v.COUNTERCLOCKWISE)
     begin: float | None = key(
         c.COORDINATE,

@@ -104,6 +104,9 @@ def _balance(made: Forces) -> list[_Row]:
         *(_Row(name, name, unit, mark) for name, mark in balance_segments(made).items()),
         _Row(f"{sign}_{DIFFERENCE}", DIFFERENCE, "%", made.difference),
     ]
+    for one in made.driven[1:]:
+        symbol, own = ("M", "N·m") if one.couple is not None else ("P", "N")
+        rows.append(_Row(f"{symbol}_bal_{one.pair.link}", one.letter, own, one.balance))
     if made.open is not None and made.efficiency is not None:
         rows.append(_Row(f"{sign}_bal_open", "bal_open", unit, made.open))
         rows.append(_Row("efficiency", "η", "%", made.efficiency))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.chapters.kinematics.along import with_guides
+from graphic_tmm.chapters.kinematics.dead_places import dead_places
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_equations, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import (
@@ -82,6 +83,7 @@ def _together(drawn: Drawn, made: KinematicPlans) -> list[str]:
 def warned(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield, as sentences, what outlies the plans, and mass centres of pistons that lie off their rods."""
     yield from outlying(drawn, language)
+    yield from dead_places(drawn, language)
     ink, at = LinksInk(drawn.construction, drawn.reading, reaches(drawn)), drawn.main
     for figure in (one for one in ink.figures if one.kind == "piston"):
         pin, way = ink.foot(figure, at), ink.cylinder(figure, at).way

@@ -27,8 +27,8 @@ class Crank(DrivenPair):
 
     @classmethod
     def fits(cls, driven: Driven) -> bool:
-        """Whether a pair turns."""
-        return driven.pair.kind == "R"
+        """Whether a pair turns by itself."""
+        return driven.pair.kind == "R" and not driven.drive.rack
 
     @property
     def pivot(self) -> str:
@@ -91,11 +91,10 @@ class Crank(DrivenPair):
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
         """Draw the velocity of its pin."""
         draft, pole, number = lines.draft, plan.images.pole, self.link
-        pivot, pin, speed = self.pivot, self.pin, self.speed
+        pivot, pin = self.pivot, self.pin
         body = positions.bodies[number]
         draft.say(f"v_{pin} = ω_{number}·l_{{{pivot}{pin}}},  v_{pin} ⊥ {pivot}{pin}")
-        omega = draft.take(Number, f"ω_{number}", abs(speed), "1/s")
-        plan.speeds[number] = omega
+        omega = plan.speeds[number] = self.turning(draft)
         arm = self.real_arm(draft, positions)
         velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s", why=why.SPEED_OF_PIN)
         segment = between(pole, image_letter(pin))
@@ -112,8 +111,19 @@ class Crank(DrivenPair):
         base = Base(body.marks[pivot], body.marks[pin], pole, image)
         plan.images.hang(body, Hanging(base.A, pole, base), {pivot: pole, pin: image})
         plan.images.complete(body)
-        backwards = f"(−ω_{number})"
-        plan.rates[number] = omega if sense > 0 else draft.take(Number, backwards, speed, "1/s")
+        plan.rates[number] = omega if sense > 0 else self.turning_back(draft)
+
+    def turning(self, draft: Draft) -> Mark:
+        """Take how fast it turns, without its sign."""
+        return draft.take(Number, f"ω_{self.link}", abs(self.speed), "1/s")
+
+    def turning_back(self, draft: Draft) -> Mark:
+        """Take how fast it turns clockwise, with its sign."""
+        return draft.take(Number, f"(−ω_{self.link})", self.speed, "1/s")
+
+    def gaining(self, draft: Draft) -> Mark:
+        """Take its angular acceleration."""
+        return draft.take(Number, f"ε_{self.link}", self.drive.acceleration, "1/s²")
 
     def acceleration(
         self, draft: Draft, positions: Positions, velocities: Motion, plan: Motion
@@ -127,7 +137,7 @@ class Crank(DrivenPair):
             end = self._normal(draft, velocities, plan, body, first)
         if epsilon:
             draft.say(f"a_{{{pin}}}^{{t}} = ε_{number}·l_{{{pivot}{pin}}},  ⊥ {pivot}{pin}")
-            plan.rates[number] = draft.take(Number, f"ε_{number}", epsilon, "1/s²")
+            plan.rates[number] = self.gaining(draft)
             name_t, gain = f"a_{{{pin}}}^{{t}}", plan.rates[number]
             value = draft.draw(product, name_t, gain, arm, unit="m/s²", why=why.TANGENTIAL_OF_PIN)
             segment = between(end, letter)
