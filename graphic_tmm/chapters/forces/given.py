@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping
 
 from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import braced, letters, sizes_of, varies
+from graphic_tmm.chapters.forces.loads import Ends
 from graphic_tmm.chapters.forces.springs import constants, ends_of, numbers
 from graphic_tmm.chapters.forces.task import ASKED, Spring
 from graphic_tmm.language.catalogue import speaking
@@ -36,9 +37,9 @@ def given(scene: Scene) -> Iterator[Given]:
         yield from _by_pair("r", radii, SIZE)
 
 
-def _name(scene: Scene, spring: Spring) -> str:
+def _ends(scene: Scene, spring: Spring) -> Ends:
     assert scene.mechanism is not None
-    return ends_of(spring, scene.mechanism).names[0]
+    return ends_of(spring, scene.mechanism)
 
 
 def _given_of(spring: Spring, index: str) -> Iterator[Given]:
@@ -74,8 +75,10 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
             at = load.opposite_at or ""
             yield _(says, letter=told, link=load.link, other=other, point=at)
     for index, spring in zip(numbers(order.springs), order.springs, strict=True):
-        name = _name(scene, spring)
-        yield _(_SPRING, ends=name, letter=f"F_{name}", law=_law(spring, index))
+        ends = _ends(scene, spring)
+        (first, last), name = ends.letters, ends.names[0]
+        words = {"first": first, "last": last, "letter": f"F_{name}", "ends": name}
+        yield _(_SPRING, law=_law(spring, index), **words)
     if order.gravity and order.inertia:
         yield _(_BOTH)
     elif order.gravity or order.inertia:
@@ -100,7 +103,7 @@ def _turning(along: Along, letter: str, language: str) -> str:
 
 
 _SPRING = said(
-    "The force {letter} = {law} pulls the points {ends} together (where it is negative, apart); l is the "
+    "The force {letter} = {law} pulls {first} and {last} together (where it is negative, apart); l is the "
     "length {ends}."
 )
 _ON_LINE = said(
