@@ -203,10 +203,10 @@ def through(draft: Draft, axes: Axes, points: Boundaries | Middles, *, closed: b
     return draft.draw(open_graph_of_middles, letter, points.points, row=row)
 
 
-def taut(draft: Draft, axes: Axes, points: Boundaries) -> Mark:
+def taut(draft: Draft, axes: Axes, points: Boundaries, role: str = "") -> Mark:
     """Draw the curve that stays between its points: of what is laid on the mechanism, forces and moments."""
     row, over = axes.base.intervals, axes.base.length
-    return draft.draw(taut_graph, _name(points), points.points, over, row=row)
+    return draft.draw(taut_graph, _name(points), points.points, over, row=row, role=role)
 
 
 def along_rays(

@@ -92,6 +92,18 @@ BEGINNINGS = (
         said("Four-stroke engine"),
     ),
     Beginning(
+        "v-engine",
+        "v-engine",
+        said("two cylinders at 90° on one crank, four strokes: indicator diagrams, flywheel"),
+        said("V engine"),
+    ),
+    Beginning(
+        "compressor",
+        "two-stage-compressor",
+        said("two cylinders of their own pressures: forces on both pistons, flywheel"),
+        said("Two-stage compressor"),
+    ),
+    Beginning(
         "moments",
         "moment-cycle",
         said("moments given over a cycle of turns, without a mechanism: flywheel"),

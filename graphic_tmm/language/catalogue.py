@@ -155,12 +155,19 @@ def _spoken(folder: Path, language: str) -> Speech:
 
 
 class Words(Mapping[str, str]):
-    """A table of English texts, read in a language."""
+    """A table of English texts, read in a language; ``more``: what is called by names that it does not have."""
 
-    def __init__(self, table: Mapping[str, str], speech: Speech) -> None:
-        self._table, self._speech = table, speech
+    def __init__(
+        self,
+        table: Mapping[str, str],
+        speech: Speech,
+        more: Callable[[str, Speech], str] = lambda name, speech: "",
+    ) -> None:
+        self._table, self._speech, self._more = table, speech, more
 
     def __getitem__(self, name: str) -> str:
+        if name not in self._table and (told := self._more(name, self._speech)):
+            return told
         return self._speech(self._table[name])
 
     def __iter__(self) -> Iterator[str]:

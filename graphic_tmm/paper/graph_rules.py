@@ -129,7 +129,8 @@ def curve_over_base(graph: Graph, step: Step) -> Iterator[Bezier]:
         x = [z.real for z in controls[::3]]
         start, end = (_at_x(x, to) for to in (0.0, graph.length))
         if end - start > 1e-9:
-            yield Bezier("main", cut([complex(z) for z in controls], start, end), step.it.name)
+            pen = "thin" if step.it.role == roles.PART else "main"
+            yield Bezier(pen, cut([complex(z) for z in controls], start, end), step.it.name)
 
 
 def _at_x(x: list[float], to: float) -> float:

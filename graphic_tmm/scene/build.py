@@ -91,6 +91,8 @@ class _Built:
             return None
         if section.several:
             return tuple(build(section.record, one) for one in said)
+        if section.together is not None:
+            return section.together(tuple(build(section.record, one) for one in said))
         return build(section.record, said, **section.joined(self))
 
 

@@ -43,8 +43,9 @@ class Named(Answer):
     """What a chapter calls things.
 
     ``captions``: its views, plans, letters of columns and results, English, by name; ``called``: a view whose
-    name it makes up -> what that is called in a language. ``plans``: what protocols call its plans;
-    ``rank``: where these stand among the plans of all chapters if not in the order of the book (ten a chapter).
+    name it makes up -> what that is called in a language; ``result``: likewise of a
+    result. ``plans``: what protocols call its plans; ``rank``: where these stand among the plans of all
+    chapters if not in the order of the book (ten a chapter).
     ``sources``: the books that it follows, as the note calls them; ``symbols``: its letters, what they stand
     for, their units.
     """
@@ -52,6 +53,7 @@ class Named(Answer):
     stands: ClassVar[str] = "words.WORDS"
     captions: Mapping[str, str] = field(default_factory=dict)
     called: Callable[[str, Speech], str] = lambda view, speech: ""
+    result: Callable[[str, Speech], str] = lambda name, speech: ""
     plans: tuple[str, ...] = ()
     rank: int = 0
     sources: tuple[str, ...] = ()
@@ -61,7 +63,12 @@ class Named(Answer):
 def captions(language: str) -> Words:
     """Return the words of the kernel and of all chapters in a language, by the names that code has for them."""
     declared = [dict(Named.of(one).captions) for one in chapters()]
-    return Words(ChainMap(COMMON, *declared), speaking(language))
+    return Words(ChainMap(COMMON, *declared), speaking(language), _result)
+
+
+def _result(name: str, speech: Speech) -> str:
+    told = (Named.of(one).result(name, speech) for one in chapters())
+    return next((text for text in told if text), "")
 
 
 def plans_named(plans: Iterable[str], language: str) -> str:

@@ -175,7 +175,8 @@ class Section:
     """A section that scenes may have.
 
     ``record``: its declaration. ``says``: what it is, in the scene.
-    ``several``: it is a list of tables. ``always``: it is read even where it is not written: all its keys have
+    ``several``: it is a list of tables. ``together``: it is a table or a list of them, whose records make
+    the one that it returns. ``always``: it is read even where it is not written: all its keys have
     defaults. ``alone``: it needs no mechanism. ``gives``: it asks for nothing itself, but for others.
     ``begin``: the keys that it begins with, for a remedy. ``check``: what it said (a list of paths and these,
     if there may be several) -> every contradiction. ``refuse``: where the function stands (module:function)
@@ -190,6 +191,7 @@ class Section:
     record: type
     says: str = ""
     several: bool = False
+    together: Callable[[tuple[Any, ...]], Any] | None = None
     always: bool = False
     alone: bool = False
     gives: bool = False

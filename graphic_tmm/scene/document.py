@@ -93,7 +93,8 @@ def _sections() -> list[str]:
 
 def several() -> frozenset[str]:
     """Return the sections that a scene may have several times."""
-    return frozenset(name for name, section in _declared().items() if section.several)
+    found = _declared().items()
+    return frozenset(name for name, one in found if one.several or one.together is not None)
 
 
 def _declared() -> Mapping[str, Section]:

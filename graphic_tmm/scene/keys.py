@@ -80,7 +80,10 @@ def _unit_table(speech: Speech) -> Iterator[str]:
 
 
 def _headed(section: Section) -> str:
-    return f"`[[{section.name}]]`" if section.several else f"`[{section.name}]`"
+    single, several = f"`[{section.name}]`", f"`[[{section.name}]]`"
+    if section.together is not None:
+        return f"{single}, {several}"
+    return several if section.several else single
 
 
 def _page(heading: str, says: str, record: type, speech: Speech) -> Iterator[str]:

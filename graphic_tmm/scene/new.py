@@ -63,6 +63,8 @@ def _section(section: Section, tables: dict[str, Schema]) -> Schema:
         tables[behind] = table_schema(section.further, behind, tables)
         either = {"anyOf": [made, {"$ref": f"#/$defs/{behind}"}]}
         made = {"anyOf": [made, {"type": "array", "items": either}]}
+    if section.together is not None:
+        made = {"oneOf": [made, {"type": "array", "items": made, "minItems": 1}]}
     if section.several:
         made = {"type": "array", "items": made, "title": words.replace("_", " ")}
     return {**made, "description": section.says} if section.says else made

@@ -116,6 +116,9 @@ class Parts:
             said = self.said[section.name]
             if section.several:
                 said = pairing(said, section.name)
+            elif section.together is not None and said is not None:
+                lone = not isinstance(self.doc[section.name], list)
+                said = [((section.name,), *said)] if lone else pairing(said, section.name)
             if said is not None and (said or section.name in self.doc):
                 yield section, said
 
@@ -169,6 +172,8 @@ def understand(doc: Document) -> tuple[Parts, list[Flaw]]:
     for name, section in declared().items():
         if section.several:
             said[name] = _several(section, doc.get(name, []), names, found)
+        elif section.together is not None:
+            said[name] = _one_or_several(section, doc.get(name), names, found)
         elif section.further is not None and isinstance(doc.get(name), list) and doc[name]:
             first, *rest = doc[name]
             said[name] = understood(section.record, first, (name, 0), names, found)
@@ -194,6 +199,19 @@ def _several(
     return [
         understood(section.record, item, (name, i), names, found) for i, item in enumerate(items)
     ]
+
+
+def _one_or_several(
+    section: Section, raw: object, names: Mapping[str, float], found: list[Flaw]
+) -> list[Any] | None:
+    """Return what a table says, or a list of them; None if there is none, or one could not be understood."""
+    if raw is None:
+        return None
+    if isinstance(raw, list) and raw:
+        several = _several(section, raw, names, found)
+        return None if any(one is None for one in several) else several
+    one = understood(section.record, raw, (section.name,), names, found)
+    return None if one is None else [one]
 
 
 def _top_level(doc: Document) -> list[Flaw]:

@@ -156,7 +156,7 @@ class _Written(NamedTuple):
             made.append(Group(LENGTHS, said("lengths by name"), True, self.lengths()))
         for name, section in declared().items():
             raw, says = self.doc.get(name), _sentence(section)
-            if section.several:
+            if section.several or (section.together is not None and isinstance(raw, list)):
                 items = raw if isinstance(raw, list) else []
                 for k, item in enumerate(items):
                     at = (name, k)

@@ -29,7 +29,6 @@ CASES = [
      "link 2, flips_at, link 2, side", "flips_at", "do not meet there"),
     ("crank-rocker", "of AC", "of BC", "link 2, side", "side", "side speaks of BC"),
     ("crank-rocker", '"60 mm", "-10 mm"', '"600 mm", 0', "link 2, link 3", "[[link]]", "never assembles"),
-    ("engine", '"0 deg"\nacc', '"20 deg"\nacc', "drive.zero, indicator.point", "zero", "dead centre"),
     ("gear-pair", "x1 = 0.83", "x1 = -3", "gears.x1", "x1", "no working angle"),
     ("cam", "[cam]", '[cam]\noffset = "90 mm"', "cam.offset, cam.r0", "offset", "not less than r0"),
     ("cam", 'law          = "sine"', f'law = "diagram"\n{POINTS}',

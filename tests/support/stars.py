@@ -64,7 +64,7 @@ class Star:
         return np.asarray(local.real + np.sqrt(rod**2 - (local.imag - offset) ** 2))
 
     def text(self, drive: str) -> str:
-        """Return its scene; pistons are B, C, D, E on links 3, 5, 7, 9, guides x, y, z, w."""
+        """Return its scene; pistons of 1 kg are B, C, D, E on links 3, 5, 7, 9, guides x, y, z, w."""
         pins = self.cranks or (0.0,) * len(self.angles)
         own = ["A", *"KMN"[: len(pins) - 1]]
         letters = [own[0] if not ahead else own[k] for k, ahead in enumerate(pins)]
@@ -91,6 +91,7 @@ class Star:
                 f"[[link]]\nnumber = {2 * k + 2}\npoints = {{ {pin} = [0, 0], {piston} = [{rod}, 0]{more} }}\n"
                 f"[[link]]\nnumber = {2 * k + 3}\npoints = {{ {piston} = [0, 0] }}\n"
                 f'slides = {{ on = "frame", along = "{guide}", side = "+" }}\n'
+                f'mass = 1\ncentre = "{piston}"\n'
             )
         return "".join(found) + "[drive]\nlink = 1\n" + drive
 

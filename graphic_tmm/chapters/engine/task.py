@@ -85,6 +85,12 @@ def check(engine: Said, parts: Parts) -> Iterator[Flaw]:
     if "indicator" not in parts.doc:
         says = said("no pressures are given; write a section [indicator]")
         yield Flaw(("engine",), says)
+    if len(parts.said.get("indicator") or ()) > 1:
+        says = said(
+            "these forces are those of one crank, rod and piston; leave one cylinder, or take [forces] and "
+            "[flywheel]"
+        )
+        yield Flaw(("engine",), says)
     if parts.drive is not None and not INTERVALS.holds(parts.drive.count):
         says = said(
             "diagrams need {least} positions at least; write positions = 12 in [drive]",

@@ -14,7 +14,14 @@ from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, VIEWS, FlywheelTask
 from graphic_tmm.chapters.forces.accuracy import masses
 from graphic_tmm.chapters.forces.task import ASKED as FORCES
-from graphic_tmm.chapters.indicator.accuracy import BELOW, at_count, enlarged, one_sided, sampled
+from graphic_tmm.chapters.indicator.accuracy import (
+    BELOW,
+    at_count,
+    enlarged,
+    one_sided,
+    sampled,
+    two_sided,
+)
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
@@ -101,7 +108,7 @@ def _effects(scene: Scene) -> Iterator[Effect]:
     if order is None:
         return
     yield from masses(scene)
-    if order.indicator is not None and order.indicator.shaft is not None:
+    if two_sided(order.indicator):
         yield Effect(BELOW, _one_sided)
 
 

@@ -59,6 +59,9 @@ BY_GAS = said(
     "the arm of the crank: M = P·({ratio})·l with P = p·F. The velocities are those of the plans: v = "
     "[pb]·{mu}."
 )
+ALIKE = said(
+    "The force of the gas of cylinder {point} is reduced alike, with {ratio}; the reduced moments add up."
+)
 BY_LOADS = said(
     "The loads of the links are reduced to the crank by their powers: their moment on the lever is a power, to "
     "scale. Inertia forces are none of them: they belong to the kinetic energies of the links."
@@ -159,14 +162,19 @@ class SteadyPage(GasPage[T]):
         """What is reduced to the crank, and by what readings."""
         if self.flywheel.energies is None:
             return
-        if self.flywheel.indicator is None:
+        cylinder = self.flywheel.cylinder
+        if cylinder is None:
             yield self.says(BY_LOADS)
             return
         plans = KINEMATICS_PLAN.on(self.drawn)
-        velocities, point = plans.velocities, self.flywheel.indicator.order.point
+        velocities = plans.velocities
         assert velocities is not None
-        ratio = f"v_{{{point}}}/v_{{{plans.structure.first.pin}}}"
-        yield self.says(BY_GAS, mu=Symbol(velocities.mu.name), ratio=Symbol(ratio))
+        for one in cylinder.every:
+            ratio = f"v_{{{one.indicator.order.point}}}/v_{{{plans.structure.first.pin}}}"
+            if one is cylinder:
+                yield self.says(BY_GAS, mu=Symbol(velocities.mu.name), ratio=Symbol(ratio))
+            else:
+                yield self.says(ALIKE, point=one.tag, ratio=Symbol(ratio))
         yield from self.gas()
         yield from self._readings()
 

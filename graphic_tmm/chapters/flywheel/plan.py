@@ -49,8 +49,8 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.indicator.plan import (
     INDICATOR_PLAN,
     Cylinder,
-    Indicator,
     Machine,
+    letter_of,
     machine_of,
 )
 from graphic_tmm.errors import StructureError
@@ -62,12 +62,13 @@ from graphic_tmm.scene.declare import bound_of
 
 @dataclass(frozen=True)
 class Flywheel:
-    """The flywheel as drawn: its indicator diagram, charts, energies, the inertia found, rim, second method.
+    """The flywheel as drawn: its cylinders, charts, energies, the inertia found, rim, second method.
 
     ``moment``: the reduced moment that varies (N·m), ``axes`` of its graph, ``constant``: the other one, marked
     on its axis (Point). ``works``: the points of the integrated side and of the straight one; ``sides``: its
     curve and its line; ``segment``: cd (Length). ``delta``, ``inertia``: δ and J of the flywheel, of which one
-    is given. ``energies``: those of the links, None where there are none.
+    is given. ``cylinder``: whose gas drives or resists; of several, ``parts`` are the readings of the moment of
+    each (Length). ``energies``: those of the links, None where there are none.
     """
 
     order: FlywheelTask
@@ -75,7 +76,8 @@ class Flywheel:
     moment: Mark
     axes: Axes
     constant: Mark
-    indicator: Indicator | None
+    cylinder: Cylinder | None
+    parts: tuple[Mark, ...]
     charts: tuple[Chart, ...]
     energies: Energies | None
     works: tuple[Boundaries, Mark]
@@ -121,8 +123,9 @@ def draw_flywheel(
     length = draft.take(Length, "L", order.base, "mm", roles.BASE)
     mu_phi = angle_per_mm(draft, length, machine.turns)
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
+    apart: tuple[Mark, ...] = ()
     if cylinder is not None:
-        moment = _by_gas(draft, machine, cylinder, order.constant)
+        moment, apart = _by_gas(draft, machine, cylinder, order.constant)
     else:
         moment = _by_loads(draft, machine, forces, order.constant)
     mu_M = draft.scale("μ_M", "(N·m)/mm")
@@ -131,7 +134,9 @@ def draw_flywheel(
     at = graphs.lay_ordinates(draft, axes, heights, "k")
     curve = graphs.taut(draft, axes, at)
     reading = graphs.measure_ordinates(draft, axes, at.points, "M")
-    chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, (reading,), True, order.mu_M, None)
+    parts = _parts(draft, axes, cylinder, apart) if cylinder is not None else ()
+    read = (reading, *parts)
+    chart = Chart(VIEWS["moment"], "M", "N·m", mu_M, read, True, order.mu_M, None)
     done = draw_works(draft, axes, at, curve, order)
     energies, gained, own, charts = _energies(draft, machine, axes, at, done)
     energy_axes = gained.axes
@@ -147,8 +152,7 @@ def draw_flywheel(
             draft, energies, done.surplus, gained, delta, velocities.speed, order.tangents
         )
     more = (second.chart,) if second is not None else ()
-    indicator = cylinder.indicator if cylinder is not None else None
-    first = (indicator.chart,) if indicator is not None else ()
+    first = (one.indicator.chart for one in cylinder.every) if cylinder is not None else ()
     found = (*first, chart, *charts, *more)
     works = (done.points, done.straight)
     return Flywheel(
@@ -157,7 +161,8 @@ def draw_flywheel(
         moment,
         axes,
         done.constant,
-        indicator,
+        cylinder,
+        parts,
         found,
         energies,
         works,
@@ -202,11 +207,39 @@ def draw_aim(draft: Draft, order: FlywheelTask, segment: Mark, omega: Mark) -> t
     return draft.draw(irregularity, "δ", segment, inertia, omega), inertia
 
 
-def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
-    """Calculate the reduced moment of the gas, which pushes the piston from the cover towards the crank.
+def _by_gas(
+    draft: Draft, machine: Machine, cylinder: Cylinder, constant: str
+) -> tuple[Mark, tuple[Mark, ...]]:
+    """Calculate the reduced moment of the gas, and those of several cylinders, of which it is the sum.
 
-    It drives; with a constant driving moment it is the resistance of the gas that is told, of a compressor.
+    The gas pushes the piston from the cover towards the crank. It drives; with a constant driving moment it is
+    the resistance of the gas that is told, of a compressor.
     """
+    moments = [_of_cylinder(draft, machine, one, constant) for one in cylinder.every]
+    total = moments[0]
+    for k, more in enumerate(moments[1:], 2):
+        name = "M_r" if k == len(moments) else "ΣM"
+        total = draft.draw(
+            added, name, total, more, unit="N·m", role=roles.SUM, why=why.CYLINDERS_SUM
+        )
+    return total, tuple(moments) if len(moments) > 1 else ()
+
+
+def _parts(
+    draft: Draft, axes: Axes, cylinder: Cylinder, moments: tuple[Mark, ...]
+) -> tuple[Mark, ...]:
+    """Draw the graphs of the moments of several cylinders below that of their sum; return their readings."""
+    readings = []
+    for one, moment in zip(cylinder.every, moments, strict=False):
+        height = draft.draw(to_board, f"y_{{M{one.tag}}}", moment)
+        at = graphs.lay_ordinates(draft, axes, height, f"k{one.tag}")
+        graphs.taut(draft, axes, at, role=roles.PART)
+        readings.append(graphs.measure_ordinates(draft, axes, at.points, letter_of("M", one.tag)))
+    return tuple(readings)
+
+
+def _of_cylinder(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
+    """Calculate the reduced moment of the gas of a cylinder."""
     velocities = machine.velocities
     way = cylinder.outward if constant == "resisting" else -cylinder.outward
     sign = draft.take(Number, "σ", way)
@@ -214,7 +247,8 @@ def _by_gas(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -
     drawn = draft.uses(pin)[1]
     speed = velocities.readings[cylinder.leg.link]
     force = cylinder.indicator.force
-    return draft.draw(reduced_moment, "M_r", sign, force, speed, drawn, machine.arm, unit="N·m")
+    name = letter_of("M", cylinder.tag) if cylinder.tag else "M_r"
+    return draft.draw(reduced_moment, name, sign, force, speed, drawn, machine.arm, unit="N·m")
 
 
 def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: str) -> Mark:

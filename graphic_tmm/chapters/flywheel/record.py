@@ -16,6 +16,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel, record
 from graphic_tmm.chapters.flywheel.task import ASKED, CALCULATED, FLYWHEEL
+from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
 from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.chapters.indicator.plan import machine_of
 from graphic_tmm.chapters.indicator.task import INDICATOR, Wish
@@ -90,9 +91,10 @@ def rim_inertia(
 class Aside(NamedTuple):
     """Marks (Number).
 
-    ``force``: the gas force reduced to the crank pin (N), None where the loads are reduced. ``moment``: the
-    constant moment (N·m), which is the mean one of the cycle; ``power``: its mean power (W). ``apart``: by how
-    much the moments of inertia of both methods differ, in % of the first; None with one method. ``excess``: the
+    ``force``: the gas force reduced to the crank pin (N), None where loads or several cylinders are reduced.
+    ``moment``: the constant moment (N·m), which is the mean one of the cycle; ``power``: its mean power (W).
+    ``apart``: by how much the moments of inertia of both methods differ, in % of the first; None with one
+    method. ``excess``: the
     largest excess work (J). ``rim``: its width in whole millimetres (m), the J of a rim made so, the δ that it
     keeps; None without a rim.
     """
@@ -147,7 +149,7 @@ def _rim(draft: Draft, made: Flywheel, speed: Mark) -> tuple[Mark, Mark, Mark] |
 
 def _force(draft: Draft, made: Flywheel) -> Mark | None:
     """Calculate the force on the piston as reduced to the crank pin, from what the reduced moment is."""
-    if made.indicator is None:
+    if made.cylinder is None or made.parts:
         return None
     return draft.draw(reduced_force, "P_{red}", *draft.uses(made.moment)[:4], unit="N")
 
@@ -156,7 +158,9 @@ def _needs(scene: Scene) -> dict[str, object]:
     order = ASKED.of(scene)
     gas = order.indicator if order is not None else None
     if gas is None:
-        return {VELOCITIES: True, FORCES: True}
+        forces = FORCES_ASKED.of(scene)
+        turns = {TURNS: forces.turns} if forces is not None and forces.turns > 1 else {}
+        return {VELOCITIES: True, FORCES: True, **turns}
     wish = Wish(3, FLYWHEEL, gas)
     return {VELOCITIES: True, INDICATOR: wish, TURNS: gas.turns}
 

@@ -43,7 +43,8 @@ def flywheel_columns(drawn: Drawn) -> Iterator[Column]:
 
 def columns_of(drawn: Drawn, made: Flywheel, plan: str) -> Iterator[Column]:
     """Yield the columns of a flywheel as drawn, of a plan."""
-    sides = made.indicator.sides if made.indicator is not None else ()
+    cylinders = made.cylinder.every if made.cylinder is not None else ()
+    sides = [side for one in cylinders for side in one.indicator.sides]
     pressures = {side.ordinate: side.pressure for side in sides}
     for chart in made.charts:
         for mark in chart.ordinates:
@@ -70,9 +71,10 @@ def results_for(drawn: Drawn, made: Flywheel, beside: Aside) -> Results:
         rim = made.rim
         marks |= {"D_max": rim.limit, "D_e": rim.outer, "D_i": rim.inner, "D_mean": rim.mean}
         marks |= {"rim_mass": rim.mass, "rim_width": rim.width}
-    for side in made.indicator.sides if made.indicator is not None else ():
-        if side.mean is not None:
-            marks[f"p_mean_{side.name}"] = side.mean
+    for one in made.cylinder.every if made.cylinder is not None else ():
+        for side in one.indicator.sides:
+            if side.mean is not None:
+                marks["_".join(filter(None, ("p_mean", side.name, one.tag)))] = side.mean
     if beside.apart is not None:
         marks["J_apart"] = beside.apart
     marks |= {"M_mean": beside.moment, "power": beside.power, "A_excess": beside.excess}

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
+from graphic_tmm.chapters.forces.task import turns_of
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
@@ -167,21 +168,23 @@ def check(flywheel: Said, parts: Parts) -> Iterator[Flaw]:
 
 
 def _cycle(flywheel: Said, parts: Parts) -> Iterator[Flaw]:
-    """A cycle of other turns than the working cycle of the cylinder has."""
-    gas = parts.said.get("indicator")
-    if flywheel.turns is None or ("indicator" in parts.doc and gas is None):
+    """A cycle of other turns than the working cycle of the cylinders, or the loads, has."""
+    cylinders, loads = parts.said.get("indicator"), parts.said.get("load") or ()
+    if flywheel.turns is None or ("indicator" in parts.doc and not cylinders):
         return
-    if gas is None and flywheel.turns > 1:
+    by_loads = max((turns_of(load.by_angle or ()) for load in loads if load is not None), default=1)
+    if not cylinders and flywheel.turns > by_loads:
         says = said(
             "loads come back after a turn; write a section [indicator] with strokes = 4, or leave turns out"
         )
         yield Flaw(("flywheel", "turns"), says)
-    elif gas is not None and flywheel.turns != gas.strokes // 2:
+    elif cylinders and flywheel.turns != cylinders[0].strokes // 2:
+        strokes = cylinders[0].strokes
         says = said(
             "the indicator diagram has {strokes} strokes, {turns} in a cycle; write strokes = {due} in "
             "[indicator], or leave turns out",
-            strokes=gas.strokes,
-            turns=said("one turn") if gas.strokes == 2 else said("two turns"),
+            strokes=strokes,
+            turns=said("one turn") if strokes == 2 else said("two turns"),
             due=2 * flywheel.turns,
         )
         yield Flaw(("flywheel", "turns"), says)

@@ -113,6 +113,10 @@ def graphs(drawn: Drawn, made: Flywheel, lettered: bool, place: str = PLAN) -> l
         if chart.view == VIEWS["energy"]
         for mark in chart.ordinates
     }
+    parts = {mark: symbols.symbol(mark.name, language) for mark in made.parts}
+    if parts:
+        chart = next(chart for chart in made.charts if chart.view == VIEWS["moment"])
+        parts[chart.ordinates[0]] = symbols.symbol("M_r", language)
     log, reading, phi = project.construction, drawn.reading, made.base.mu
     names = [escape(name) for name in project.names]
     along = on_axis("φ", unit(phi.unit.removesuffix("/mm"), language))
@@ -124,7 +128,7 @@ def graphs(drawn: Drawn, made: Flywheel, lettered: bool, place: str = PLAN) -> l
             names,
             on_axis(symbol, unit(of, language)),
             along,
-            {"energy": curves, "work": works}.get(key, {}),
+            {"energy": curves, "work": works, "moment": parts}.get(key, {}),
             {mark: symbols.symbol(mark.name, language) for mark in log.roles(view, roles.MEAN)},
             pole_figures(log, reading, view, language)
             | {made.segment: _segment_figure(drawn, made.segment)},

@@ -35,6 +35,18 @@ CAPTIONS: dict[str, str] = {
     "rim_width": "b",
 }
 
+_MEAN = {
+    "p_mean_cover": said("p_{{mean}}, cover, cylinder {point}"),
+    "p_mean_shaft": said("p_{{mean}}, shaft, cylinder {point}"),
+}
+
+
+def result(name: str, speech: Speech) -> str:
+    """Return what the mean pressure of one of several cylinders is called; "" for other results."""
+    mean, _, point = name.rpartition("_")
+    return speech(_MEAN[mean], point=point) if mean in _MEAN else ""
+
+
 _RESISTING = said("Reduced moment of the resisting forces")
 _GIVEN = {
     "resisting": said("Driving moment over the cycle"),
@@ -71,6 +83,7 @@ SYMBOLS = (
 
 WORDS = Named(
     captions=CAPTIONS,
+    result=result,
     plans=(FLYWHEEL,),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
@@ -105,6 +118,7 @@ CD = said(
     "store."
 )
 LINKS_ENERGY = said("The kinetic energy of the links is the sum of the energies of all of them.")
+CYLINDERS_SUM = said("The powers of all cylinders add up, so their reduced moments do.")
 MOMENTS_SUM = said("The powers of all loads add up, so their moments on the lever do.")
 CLOCKWISE = {
     True: said(

@@ -11,7 +11,7 @@ from graphic_tmm.accuracy.quantities import Accuracy, Axis, Effect, Quantity, Re
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ASKED, FORCES, Load
-from graphic_tmm.chapters.indicator.accuracy import BELOW, at_count, one_sided
+from graphic_tmm.chapters.indicator.accuracy import BELOW, at_count, one_sided, two_sided
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
 from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
@@ -99,7 +99,7 @@ def _effects(scene: Scene) -> Iterator[Effect]:
         yield from masses(scene)
     gas = order.gas is not None
     yield Effect(said("gas"), partial(_changed, gas=None), gas)
-    if order.gas is not None and order.gas.shaft is not None:
+    if order.gas is not None and two_sided(order.gas):
         yield Effect(BELOW, partial(_changed, gas=one_sided(order.gas)))
     friction = order.friction is not None
     yield Effect(said("friction"), partial(_changed, friction=None), friction)

@@ -23,7 +23,7 @@ from graphic_tmm.chapters.forces.given_loads import given_load
 from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
 from graphic_tmm.chapters.forces.springs import draw_spring, numbers
 from graphic_tmm.chapters.forces.task import ForcesTask
-from graphic_tmm.chapters.indicator.plan import Cylinder
+from graphic_tmm.chapters.indicator.plan import Cylinder, letter_of
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.masses import inertia_of, mass_centre
@@ -33,7 +33,7 @@ from graphic_tmm.mechanism.records import Link
 def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads:
     """Calculate the loads and draw their lines of action.
 
-    ``gas``: the cylinder whose gas pushes the piston.
+    ``gas``: the cylinders whose gas pushes the pistons.
 
     Raises
     ------
@@ -54,8 +54,8 @@ def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads
         except StructureError as error:
             raise error.inside(f"load {k}") from None
     _springs(ground, order, loads)
-    if gas is not None:
-        loads.add(_gas(ground, gas))
+    for cylinder in gas.every if gas is not None else ():
+        loads.add(_gas(ground, cylinder))
     return loads
 
 
@@ -141,7 +141,8 @@ def _gas(ground: Ground, cylinder: Cylinder) -> Force:
     letter, link = cylinder.indicator.order.point, cylinder.leg.link
     point, image = point_of(ground, link, letter)
     sense = -1 if cylinder.outward > 0 else 1
+    name = letter_of("P", cylinder.tag)
     line = ground.draft.draw(
-        parallel, "(P)", point, cylinder.leg.line, sense=sense, why=why.GAS_LINE
+        parallel, f"({name})", point, cylinder.leg.line, sense=sense, why=why.GAS_LINE
     )
-    return Force("P", link, point, line, cylinder.indicator.force, image)
+    return Force(name, link, point, line, cylinder.indicator.force, image)

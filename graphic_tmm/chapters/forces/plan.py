@@ -164,7 +164,7 @@ class _Pass(NamedTuple):
 
 
 def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) -> Forces:
-    """Record the kinetostatics and the lever; ``gas``: the cylinder whose gas pushes the piston.
+    """Record the kinetostatics and the lever; ``gas``: the cylinders whose gas pushes the pistons.
 
     Raises
     ------

@@ -25,7 +25,8 @@ course project of the flywheel of a single-cylinder engine (scene ``engine``).
 from __future__ import annotations
 
 from graphic_tmm.chapters.diagrams.task import DIAGRAMS
-from graphic_tmm.chapters.indicator.task import INDICATOR, SECTIONS
+from graphic_tmm.chapters.indicator.sections import SECTIONS
+from graphic_tmm.chapters.indicator.task import INDICATOR
 from graphic_tmm.chapters.kinematics.task import KINEMATICS
 from graphic_tmm.scene.chapter import Chapter
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask
+from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, mapped
 from graphic_tmm.chapters.kinematics.accuracy import resampled
 from graphic_tmm.language.said import said
 
@@ -17,13 +17,21 @@ def at_count(order: IndicatorTask, count: int) -> IndicatorTask:
         size = count * order.turns
         return replace(side, pressures=resampled(pressures, size)) if pressures else side
 
-    shaft = gas(order.shaft) if order.shaft is not None else None
-    return replace(order, cover=gas(order.cover), shaft=shaft)
+    def cylinder(one: IndicatorTask) -> IndicatorTask:
+        shaft = gas(one.shaft) if one.shaft is not None else None
+        return replace(one, cover=gas(one.cover), shaft=shaft)
+
+    return mapped(order, cylinder)
 
 
 def one_sided(order: IndicatorTask) -> IndicatorTask:
     """Return the same diagram without the pressure on the side of the shaft."""
-    return replace(order, shaft=None)
+    return mapped(order, lambda one: replace(one, shaft=None))
+
+
+def two_sided(order: IndicatorTask | None) -> bool:
+    """Whether a cylinder has gas on the side of the shaft."""
+    return order is not None and any(one.shaft is not None for one in order.every)
 
 
 BELOW = said("gas on the shaft's side")
@@ -32,12 +40,15 @@ BELOW = said("gas on the shaft's side")
 
 def sampled(order: IndicatorTask | None) -> bool:
     """Whether pressures are given at the positions only."""
-    return order is not None and any(
-        side.pressures for side in (order.cover, order.shaft) if side is not None
-    )
+    sides = [side for one in order.every for side in (one.cover, one.shaft)] if order else []
+    return any(side.pressures for side in sides if side is not None)
 
 
 def enlarged(order: IndicatorTask, times: float) -> IndicatorTask:
     """Return the same diagram so many times larger."""
-    mu = None if order.mu is None else order.mu / times
-    return replace(order, base=order.base * times, height=order.height * times, mu=mu)
+
+    def cylinder(one: IndicatorTask) -> IndicatorTask:
+        mu = None if one.mu is None else one.mu / times
+        return replace(one, base=one.base * times, height=one.height * times, mu=mu)
+
+    return mapped(order, cylinder)

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
+from graphic_tmm.chapters.indicator.plan import letter_of
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, Stretch
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -17,7 +19,14 @@ from graphic_tmm.scene.records import Scene
 
 
 def given_of(order: IndicatorTask) -> Iterator[Given]:
-    """Yield what is given of a cylinder, diameters in mm; its pressures stand in a table by positions."""
+    """Yield what is given of cylinders, diameters in mm; their pressures stand in a table by positions."""
+    if order.further:
+        for one in order.every:
+            for given in given_of(replace(one, strokes=2)):
+                yield given._replace(symbol=_of(given.symbol, one.point))
+        if order.strokes != 2:
+            yield Given("strokes of the cycle", order.strokes)
+        return
     yield Given("D", order.cover.bore, SIZE)
     sides = [side for side in (order.cover, order.shaft) if side is not None]
     if rod := max(side.rod for side in sides):
@@ -27,6 +36,12 @@ def given_of(order: IndicatorTask) -> Iterator[Given]:
         yield Given("c", clearance)
     if order.strokes != 2:
         yield Given("strokes of the cycle", order.strokes)
+
+
+def _of(symbol: str, point: str) -> str:
+    """Return a symbol of one of several cylinders: D_{B}, p_{maxB}."""
+    stem, _, index = symbol.partition("_")
+    return letter_of(stem, index.strip("{}") + point)
 
 
 ACROSS = 8
@@ -39,10 +54,12 @@ def listed(order: IndicatorTask | None, scene: Scene, language: str) -> Iterator
     """Yield the pressures on both sides of the piston."""
     if order is None:
         return
-    sides = [(order.cover, _COVER), (order.shaft, _SHAFT)]
-    for gas, title in sides:
-        if gas is not None:
-            yield from _side(scene, gas, speaking(language)(title), language)
+    _ = speaking(language)
+    for one in order.every:
+        of = _(_CYLINDER, point=one.point) if order.further else ""
+        for gas, title in ((one.cover, _COVER), (one.shaft, _SHAFT)):
+            if gas is not None:
+                yield from _side(scene, gas, ", ".join(filter(None, (of, _(title)))), language)
 
 
 def _side(scene: Scene, gas: Gas, title: str, language: str) -> Iterator[Listed]:
@@ -78,6 +95,7 @@ def _stretch(one: Stretch, language: str) -> tuple[str, ...]:
     return (way, *spots, law, given_figure(one.pressure, language))
 
 
+_CYLINDER = said("Cylinder {point}")
 _COVER = said("Pressures on the side of the piston away from the crank")
 _SHAFT = said("Pressures on the side of the piston towards the crank")
 _STROKE = said("Stroke", context="of a piston")
@@ -88,8 +106,14 @@ _STRAIGHT = said("straight line")
 
 def acting(order: IndicatorTask | None, scene: Scene, posed: Posed) -> Iterator[Acting]:
     """Yield the force of the gas on the piston, from the cover, as an arrow at the piston."""
+    for one in order.every if order is not None else ():
+        letter = letter_of("P", one.point) if order is not None and order.further else "P"
+        yield from _pushing(one, letter, scene, posed)
+
+
+def _pushing(order: IndicatorTask, letter: str, scene: Scene, posed: Posed) -> Iterator[Acting]:
     mechanism = scene.mechanism
-    if order is None or mechanism is None:
+    if mechanism is None:
         return
     link = next((one for one in mechanism.links if order.point in one.points and one.slides), None)
     if link is None:
@@ -101,4 +125,4 @@ def acting(order: IndicatorTask | None, scene: Scene, posed: Posed) -> Iterator[
     inward = going if ((pivot - at) * going.conjugate()).real > 0.0 else -going
     tail = at - (LONG + OFF) * inward
     strokes = tuple(one._replace(part="load") for one in arrow(tail, at - OFF * inward, "main"))
-    yield Acting(strokes, (Wanted("P", tail, posed.size, 1.5, -inward),))
+    yield Acting(strokes, (Wanted(letter, tail, posed.size, 1.5, -inward),))

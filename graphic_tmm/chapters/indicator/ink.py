@@ -10,7 +10,6 @@ from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.indicator.plan import Indicator
-from graphic_tmm.chapters.indicator.task import VIEW
 from graphic_tmm.paper.axes import largest, position_numbers
 from graphic_tmm.paper.drawing import GRAPH, Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
@@ -43,7 +42,7 @@ def draw_indicator_ink(
     mean pressures are called, by their marks: each is a level under which as much work is done. ``curves``:
     what the curves of the two sides are called, by their marks.
     """
-    seen, heights = on.seen((VIEW,), range(len(names))), on.heights
+    seen, heights = on.seen((made.chart.view,), range(len(names))), on.heights
     high = max(largest(on.reading[side.points].imag) for side in made.sides)
     traces = figure(seen, _manner(seen, made, high))
     end = seen.point(made.end, 0)

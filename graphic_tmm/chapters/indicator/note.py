@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TypeVar
 
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.chapters.indicator.task import CALCULATED, VIEW
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.note.document import Block
@@ -24,7 +25,12 @@ class GasPage(Page[T]):
         """Yield the indicator diagram: its division, pressures, areas, the force; the scale of the stroke."""
         name = self.chapter.name
         views = readable(self.drawn, lambda held: indicator_views(held, True, name))
-        yield from self.view(VIEW, [picture(view, self.language) for view in views])
+        if len(views) == 1:
+            yield from self.view(VIEW, [picture(view, self.language) for view in views])
+        else:
+            every = INDICATOR_PLAN.on(self.drawn).every
+            for view, one in zip(views, every, strict=True):
+                yield from self.view(one.indicator.chart.view, [picture(view, self.language)])
         steps = self.drawn.construction.steps
         marks = [step.it for step in steps if step.it.view == CALCULATED]
         yield from self.calculation(*marks)

@@ -26,12 +26,21 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.operations.supports import farthest, planimeter
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Length, Number, Point
+from graphic_tmm.board.values import Angle, Length, Number, Point, Reals
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.indicator import words as why
-from graphic_tmm.chapters.indicator.stretches import Row, by_stretches
-from graphic_tmm.chapters.indicator.task import INDICATOR, VIEW, Gas, IndicatorTask, Wish
+from graphic_tmm.chapters.indicator.stretches import SLACK, Row, by_stretches, indexed
+from graphic_tmm.chapters.indicator.task import INDICATOR, TURN, VIEW, Gas, IndicatorTask, Wish
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions
+from graphic_tmm.chapters.kinematics.dead_centres import (
+    Slider,
+    dead_centre,
+    draw_dead_centres,
+    goes_inward,
+    slider_of,
+    stands,
+    turned_at,
+)
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, crank_length
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
@@ -46,6 +55,8 @@ AUXILIARY = -30.0
 """The angle of the auxiliary ray below the base, degrees."""
 NAMES = {"cover": "k", "shaft": "v"}
 """Letters of the sides: of the cover, of the shaft."""
+DIGITS = 6
+"""Decimals of a place in the row that are not rounding."""
 
 
 @dataclass(frozen=True)
@@ -84,39 +95,50 @@ class Indicator:
     force: Mark
 
 
-def draw_indicator(draft: Draft, travel: Mark, row: Row, order: IndicatorTask) -> Indicator:
-    """Draw the diagram; ``travel``: the piston's way from the zero position, as read (Length).
+def draw_indicator(
+    draft: Draft,
+    travel: Mark,
+    row: Row,
+    order: IndicatorTask,
+    tag: str = "",
+    length: Mark | None = None,
+) -> Indicator:
+    """Draw the diagram; ``travel``: the piston's way from where the base begins, as read (Length).
 
-    No pressure is known at positions that stand behind the row.
+    No pressure is known at positions that stand behind the row. ``tag``: the point of the piston where there
+    are several; ``length``: its stroke between dead centres (Length), None where the row has both.
 
     Raises
     ------
     StructureError
         If the pressures are not as many as the positions of the row.
     """
-    draft.open(VIEW)
+    draft.open(view_of(tag))
     mu = draft.scale("μ_p", "Pa/mm")
     draft.lay_out()
     origin = draft.take(Point, "O", 0j)
     base = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
     up = draft.draw(square, "(Oy)", origin, base, sense=1)
-    length = draft.take(Length, "L", order.base, "mm")
-    end = draft.draw(lay_off, "E", base, length)
-    feet, divisions, stroke = _divide(draft, origin, base, end, travel, row.size)
+    drawn = draft.take(Length, "L", order.base, "mm")
+    end = draft.draw(lay_off, "E", base, drawn)
+    feet, divisions, stroke = _divide(draft, (origin, base, end), travel, row.size, length)
     lines = draft.draw(square, "(i)", feet, base, sense=1)
-    ground = _Ground(length, lines, feet, up, travel, stroke)
+    ground = _Ground(drawn, lines, feet, up, travel, stroke, tag)
     sides = [_side(draft, "cover", order.cover, row, ground)]
     force = sides[0].force
     if order.shaft is not None:
         sides.append(_side(draft, "shaft", order.shaft, row, ground))
-        force = draft.draw(net_force, "P", force, sides[1].force, unit="N")
+        force = draft.draw(net_force, letter_of("P", tag), force, sides[1].force, unit="N")
     ordinates = tuple(side.ordinate for side in sides)
-    chart = Chart(VIEW, "p", "Pa", mu, ordinates, True, order.mu, order.height)
+    chart = Chart(view_of(tag), "p", "Pa", mu, ordinates, True, order.mu, order.height)
     return Indicator(order, chart, origin, end, feet, divisions, stroke, tuple(sides), force)
 
 
 class _Ground(NamedTuple):
-    """What both sides stand on: the base's length, perpendiculars, feet, ordinate axis, travel, stroke."""
+    """What both sides stand on: the base's length, perpendiculars, feet, ordinate axis, travel, stroke.
+
+    ``tag``: what stands behind the letters of their sizes where there are several pistons.
+    """
 
     length: Mark
     lines: Mark
@@ -124,18 +146,24 @@ class _Ground(NamedTuple):
     up: Mark
     travel: Mark
     stroke: Mark
+    tag: str
 
 
 def _divide(
-    draft: Draft, origin: Mark, base: Mark, end: Mark, travel: Mark, count: int
+    draft: Draft, axis: tuple[Mark, Mark, Mark], travel: Mark, count: int, length: Mark | None
 ) -> tuple[Mark, Mark, Mark]:
     """Divide the base in proportion to the travel by similar triangles on an auxiliary ray.
 
-    Returns the feet of the positions, their points on the ray, the stroke as it lies there (Length).
+    ``axis``: its origin, the base, its end; ``length``: the stroke, None where positions tell it. Returns the
+    feet of the positions, their points on the ray, the stroke as it lies there (Length).
     """
+    origin, base, end = axis
     way = draft.draw(ray, "(Oq)", origin, draft.take(Angle, "θ", AUXILIARY, "°"), why=why.AUXILIARY)
     marks = draft.draw(lay_off, "q", way, travel, why=why.TRAVEL_ON_RAY)
-    last = draft.draw(farthest, "q_S", origin, marks, row=count)
+    if length is None:
+        last = draft.draw(farthest, "q_S", origin, marks, row=count)
+    else:
+        last = draft.draw(lay_off, "q_S", way, length, why=why.STROKE_ON_RAY)
     closing = draft.draw(join, "(q_SE)", last, end, why=why.CLOSING)
     lines = draft.draw(parallel, "(q)", marks, closing, sense=1, why=why.ALIKE)
     stroke = draft.draw(measure, "s_{max}", origin, last)
@@ -144,14 +172,14 @@ def _divide(
 
 def _side(draft: Draft, name: str, gas: Gas, row: Row, on: _Ground) -> Side:
     """Lay off the pressures of one side, read them, go round them with the planimeter."""
-    sign, (count, extras, _) = NAMES[name], row
+    sign, count, extras = NAMES[name] + on.tag, row.size, row.extras
     if gas.stretches:
         pressure = by_stretches(
             draft, sign, gas, row, on.travel, on.stroke, at_shaft=name == "shaft"
         )
     elif len(gas.pressures) == count:
         values = np.array([*gas.pressures, *[np.nan] * extras])[None, :]
-        pressure = draft.take(Number, f"p_{sign}", values, "Pa")
+        pressure = draft.take(Number, indexed("p", sign), values, "Pa")
     else:
         raise StructureError(
             said(
@@ -162,17 +190,29 @@ def _side(draft: Draft, name: str, gas: Gas, row: Row, on: _Ground) -> Side:
             f"indicator.{name}",
             head=f"indicator, {name}",
         )
-    height = draft.draw(to_board, f"h_{sign}", pressure)
+    height = draft.draw(to_board, indexed("h", sign), pressure)
     points = draft.draw(lay_off, sign, on.lines, height, why=why.PRESSURE)
     curve = draft.draw(taut_curve, f"({sign}–{sign})", points, row=count)
-    ordinate = draft.draw(measure_along, f"y_{sign}", on.feet, points, on.up, why=why.PRESSURE_READ)
-    read = draft.draw(in_si, f"p_{sign}", ordinate, unit="Pa")
+    ordinate = draft.draw(
+        measure_along, indexed("y", sign), on.feet, points, on.up, why=why.PRESSURE_READ
+    )
+    read = draft.draw(in_si, indexed("p", sign), ordinate, unit="Pa")
     mean = None if gas.even and name == "shaft" else _mean(draft, sign, curve, on.length)
-    outer = draft.take(Number, f"D_{sign}", gas.bore, "m")
-    inner = draft.take(Number, f"d_{sign}", gas.rod, "m")
-    face = draft.draw(ring_area, f"F_{sign}", outer, inner, unit="m²")
-    force = draft.draw(gas_force, f"P_{sign}", read, face, unit="N")
+    outer = draft.take(Number, indexed("D", sign), gas.bore, "m")
+    inner = draft.take(Number, indexed("d", sign), gas.rod, "m")
+    face = draft.draw(ring_area, indexed("F", sign), outer, inner, unit="m²")
+    force = draft.draw(gas_force, indexed("P", sign), read, face, unit="N")
     return Side(name, points, curve, ordinate, read, mean, force)
+
+
+def view_of(tag: str) -> str:
+    """Return the view of a diagram; ``tag``: the point of its piston where there are several."""
+    return f"{VIEW} {tag}" if tag else VIEW
+
+
+def letter_of(letter: str, tag: str) -> str:
+    """Return a letter of what belongs to a cylinder where there are several: P_{B}."""
+    return f"{letter}_{{{tag}}}" if tag else letter
 
 
 def _mean(draft: Draft, sign: str, curve: Mark, length: Mark) -> Mark:
@@ -180,10 +220,6 @@ def _mean(draft: Draft, sign: str, curve: Mark, length: Mark) -> Mark:
     area = draft.draw(planimeter, f"f_{sign}", curve, unit="mm²")
     height = draft.draw(mean_ordinate, f"h_{{{sign}m}}", area, length)
     return draft.draw(in_si, f"p_{{{sign}m}}", height, unit="Pa")
-
-
-STANDS = 1e-6
-"""A piston slower than this share of its fastest stands."""
 
 
 @dataclass(frozen=True)
@@ -209,13 +245,21 @@ class Machine:
 class Cylinder:
     """A cylinder: its indicator diagram, the leg of its piston, the sense of the guide to its cover.
 
-    ``shown_by``: the chapter with whose views its diagram stands.
+    ``shown_by``: the chapter with whose views its diagram stands. ``tag``: the point of its piston where there
+    are several; ``further``: the others.
     """
 
     indicator: Indicator
     leg: GuideLeg
     outward: float
     shown_by: str = ""
+    tag: str = ""
+    further: tuple[Cylinder, ...] = ()
+
+    @property
+    def every(self) -> tuple[Cylinder, ...]:
+        """All cylinders in the order of the scene."""
+        return (self, *self.further)
 
 
 INDICATOR_PLAN: Recorded[Cylinder] = Recorded(INDICATOR)
@@ -239,67 +283,71 @@ def record(bench: Bench) -> Cylinder | None:
     wish: Wish | None = bench.needed.get(INDICATOR)
     if wish is None:
         return None
-    drawn = draw_cylinder(bench.draft, machine_of(bench), wish.order, INDICATOR)
-    return replace(drawn, shown_by=wish.by)
+    machine, orders = machine_of(bench), wish.order.every
+    first, *others = (
+        draw_cylinder(bench.draft, machine, order, order.point if len(orders) > 1 else "")
+        for order in orders
+    )
+    return replace(first, shown_by=wish.by, further=tuple(others))
 
 
-def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorTask, section: str) -> Cylinder:
+def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorTask, tag: str = "") -> Cylinder:
     """Draw the indicator diagram of the piston's point, which slides on the frame.
+
+    Its base begins at the dead centre at which the row does, else at that away from the crank.
 
     Raises
     ------
     StructureError
-        If it does not, the row does not begin at a dead centre of it, or pressures are missing.
+        If it does not slide there, or pressures are missing.
     """
-    frame = machine.mechanism.frame.number
-    leg = sliding_leg(machine.positions, order.point, frame, section)
-    outward = _outward(draft, machine, leg)
-    _refuse_zero(draft, machine, leg, outward, order)
-    point = machine.positions.point(order.point)
-    draft.open(POSITIONS)
-    start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
+    frame, point = machine.mechanism.frame.number, machine.positions.point(order.point)
+    leg = sliding_leg(machine.positions, order.point, frame, INDICATOR)
+    slider = slider_of(draft, machine.positions, leg, order.point)
+    begun = _begun(draft, machine, slider, order)
+    length = None
+    if begun is None:
+        ends = draw_dead_centres(draft, machine.survey, machine.positions, slider)
+        draft.open(POSITIONS)
+        start = ends.outer
+        length = draft.draw(measure, f"s_{{{order.point}max}}", *ends, why=why.STROKE)
+    else:
+        draft.open(POSITIONS)
+        start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
     travel = draft.draw(measure, f"|s_{order.point}|", start, point)
-    extras = machine.numbers.size - machine.count
-    row = Row(machine.count, extras, machine.turns)
-    indicator = draw_indicator(draft, travel, row, order)
-    return Cylinder(indicator, leg, outward)
+    row = _row(draft, machine, slider, order)
+    indicator = draw_indicator(draft, travel, row, order, tag, length)
+    return Cylinder(indicator, leg, slider.outward, tag=tag)
 
 
-def _outward(draft: Draft, machine: Machine, leg: GuideLeg) -> float:
-    """Return the sense of the guide, +1 or −1, in which the cover lies: away from the crank."""
-    closing = next(c for c in machine.positions.closings if leg in c.legs)
-    side = machine.positions.sides.get(closing.group.name)
-    return 1.0 if side is None else float(np.ravel(np.asarray(draft.given[side]))[0])
+def _begun(draft: Draft, machine: Machine, slider: Slider, order: IndicatorTask) -> int | None:
+    """Return the dead centre at which the row begins, 1 away from the crank or −1; None if at none.
 
-
-def _refuse_zero(
-    draft: Draft, machine: Machine, leg: GuideLeg, outward: float, order: IndicatorTask
-) -> None:
-    """Refuse a row that does not begin at a dead centre, or parts of a diagram that begin at the inner one."""
-    speed = machine.velocities.readings[leg.link]
-    given = {**draft.given, draft.mu_l: 1.0, machine.velocities.mu: 1.0}
-    found = execute(draft.board.construction(), given, [speed])[speed][0, : machine.count]
-    point = order.point
-    remedy = said("begin where {point} is farthest from the crank, by zero in [drive]", point=point)
-    fastest = np.max(np.abs(found), initial=0.0, where=np.isfinite(found))
-    if abs(found[0]) > STANDS * fastest:
-        raise StructureError(
-            said(
-                "the row does not begin at a dead centre of {point}: {remedy}",
-                point=point,
-                remedy=remedy,
-            ),
-            "drive.zero",
-            "indicator.point",
-            head="indicator",
-        )
+    Parts of a diagram are counted from the cover, so with these it is not begun at the other one.
+    """
+    angles = _angles(draft, machine)
+    if not stands(machine.survey, slider, angles)[0]:
+        return None
+    if dead_centre(machine.survey, slider, angles[0]) > 0:
+        return 1
     sides = (order.cover, order.shaft)
-    if outward * found[1] > 0.0 and any(gas is not None and gas.stretches for gas in sides):
-        raise StructureError(
-            said(
-                "its parts are counted from the cover, the row begins at the other end: {remedy}",
-                remedy=remedy,
-            ),
-            "drive.zero",
-            head="indicator",
-        )
+    return None if any(gas is not None and gas.stretches for gas in sides) else -1
+
+
+def _angles(draft: Draft, machine: Machine) -> Reals:
+    """Return the crank's angle at every position, degrees."""
+    phi = machine.positions.row[0]
+    given = {**draft.given, draft.mu_l: 1.0}
+    return np.asarray(execute(draft.board.construction(), given, [phi])[phi][0])
+
+
+def _row(draft: Draft, machine: Machine, slider: Slider, order: IndicatorTask) -> Row:
+    """Return the positions, with the turn of the cycle and the stroke on which each of them stands."""
+    angles, in_turn = _angles(draft, machine), machine.count // machine.turns
+    count, sense = machine.count, np.sign(machine.mechanism.drive.speed)
+    out = goes_inward(machine.survey, slider, angles)
+    later = (turned_at(machine.survey, slider, 1) - angles[0]) * sense
+    first = round(later / TURN * in_turn, DIGITS) % in_turn
+    passed = np.floor((machine.numbers - first) / in_turn + SLACK) - order.phase // TURN
+    turns = tuple(int(turn) for turn in passed % machine.turns)
+    return Row(count, machine.numbers.size - count, turns, tuple(bool(one) for one in out))

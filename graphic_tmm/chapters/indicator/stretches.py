@@ -25,11 +25,21 @@ SLACK = 1e-9
 
 
 class Row(NamedTuple):
-    """The positions: ``size`` of the row, so many ``extras`` behind it; over how many ``turns`` it goes."""
+    """The positions: ``size`` of the row, so many ``extras`` behind it.
+
+    ``turns``: of the cycle, from 0, in which each of them stands; ``out``: whether the piston goes from the
+    cover.
+    """
 
     size: int
-    extras: int = 0
-    turns: int = 1
+    extras: int
+    turns: tuple[int, ...]
+    out: tuple[bool, ...]
+
+
+def indexed(letter: str, sign: str, more: str = "") -> str:
+    """Return a letter of a side of a piston: p_k, or p_{kB} of one of several pistons."""
+    return f"{letter}_{sign}{more}" if len(sign) == 1 else f"{letter}_{{{sign}{more}}}"
 
 
 def by_stretches(
@@ -52,9 +62,9 @@ def by_stretches(
     StructureError
         If a position stands on no stretch.
     """
-    count, extras, turns = row
+    count, extras, turns, out = row
     shares = _shares(draft, travel, stroke)[:count]
-    found = [_at(gas, k, shares, turns) for k in range(count)]
+    found = [_at(gas, float(shares[k]), turns[k], out=out[k]) for k in range(count)]
 
     def values(name: str) -> Reals:
         told = [float(getattr(stretch, name) or 0.0) for stretch in found]
@@ -63,16 +73,19 @@ def by_stretches(
     def take(letter: str, name: str, unit: str = "") -> Mark:
         return draft.take(Number, letter, values(name), unit)
 
-    first, start = take(f"p_{sign}0", "pressure", "Pa"), take(f"x_{sign}0", "start")
+    first, start = (
+        take(indexed("p", sign, "0"), "pressure", "Pa"),
+        take(indexed("x", sign, "0"), "start"),
+    )
     if any(stretch.exponent is not None for stretch in gas.stretches):
-        clearance = draft.take(Number, f"c_{sign}", gas.clearance)
-        exponent = take(f"n_{sign}", "exponent")
+        clearance = draft.take(Number, indexed("c", sign), gas.clearance)
+        exponent = take(indexed("n", sign), "exponent")
         uses = (first, clearance, start, travel, stroke, exponent)
         formula = polytropic_at_shaft if at_shaft else polytropic
-        return draft.draw(formula, f"p_{sign}", *uses, unit="Pa")
-    last, end = take(f"p_{sign}1", "last", "Pa"), take(f"x_{sign}1", "end")
+        return draft.draw(formula, indexed("p", sign), *uses, unit="Pa")
+    last, end = take(indexed("p", sign, "1"), "last", "Pa"), take(indexed("x", sign, "1"), "end")
     uses = (first, last, start, end, travel, stroke)
-    return draft.draw(between, f"p_{sign}", *uses, unit="Pa")
+    return draft.draw(between, indexed("p", sign), *uses, unit="Pa")
 
 
 def _shares(draft: Draft, travel: Mark, stroke: Mark) -> Reals:
@@ -82,14 +95,12 @@ def _shares(draft: Draft, travel: Mark, stroke: Mark) -> Reals:
     return np.asarray(reading[travel][0] / reading[stroke][0, 0])
 
 
-def _at(gas: Gas, place: int, shares: Reals, turns: int) -> Stretch:
-    """Return the stretch on which a position of the row stands: out until the far end, back after it.
+def _at(gas: Gas, share: float, turn: int, *, out: bool) -> Stretch:
+    """Return the stretch on which a piston stands, at a share of its stroke.
 
     Where two meet it is the first one; at a jump the pressure is that behind it, all the way.
     """
-    turn, at = divmod(place, len(shares) // turns)
-    far = int(np.argmax(shares[: len(shares) // turns]))
-    share, way = float(shares[place]), "out" if at <= far else "back"
+    way = "out" if out else "back"
     there = [
         one
         for one in gas.stretches

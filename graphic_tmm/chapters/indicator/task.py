@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
 from itertools import pairwise
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
+from graphic_tmm.scene.declare import Kind, Names, Said, combined_key, key
 from graphic_tmm.scene.misfits import fault_in_list, stands
 from graphic_tmm.scene.tables import DeclaredTable, Several
 
-if TYPE_CHECKING:
-    from graphic_tmm.scene.sections import Parts
-
-
 INDICATOR = "indicator"
 VIEW = "indicator"
+SIDES = ("cover", "shaft")
+TURN = 360.0
+"""A turn of the crank, degrees."""
 CALCULATED = "indicator-calculation"
 """The view of what is calculated beside."""
 
@@ -144,6 +143,8 @@ def _gas(side: str) -> Callable[[Said], Gas | None]:
     def make(said: Said) -> Gas | None:
         pressures, traced = getattr(said, side), getattr(said, f"{side}_points")
         rod = (said.rod or 0.0) if side == "shaft" else 0.0
+        if said.same_as is not None:
+            return Gas((), said.bore or 0.0) if side == "cover" else None
         if pressures is not None:
             return Gas(pressures, said.bore, rod)
         found = _polytropic(getattr(said, f"{side}_strokes"), said.strokes // 2)
@@ -161,7 +162,7 @@ def _straight(traced: Traced) -> tuple[Stretch, ...]:
     )
 
 
-def _by_turns(parts: tuple[Stroke, ...], turns: int) -> list[list[Stroke]]:
+def by_turns(parts: tuple[Stroke, ...], turns: int) -> list[list[Stroke]]:
     """Return parts turn by turn: of four strokes the second turn begins with the second stroke out."""
     found: list[list[Stroke]] = [[]]
     for part in parts:
@@ -174,7 +175,7 @@ def _by_turns(parts: tuple[Stroke, ...], turns: int) -> list[list[Stroke]]:
 
 def _polytropic(strokes: tuple[Stroke, ...], turns: int) -> tuple[Stretch, ...]:
     found = []
-    for turn, parts in enumerate(_by_turns(strokes, turns)):
+    for turn, parts in enumerate(by_turns(strokes, turns)):
         reached = {"out": 0.0, "back": 1.0}
         for part in parts:
             start, reached[part.stroke] = reached[part.stroke], part.to
@@ -191,15 +192,21 @@ class IndicatorTask:
     """The indicator diagram of a cylinder: pressures in the positions of the row.
 
     The piston's ``point`` slides on the frame. ``cover``: the side away from the crank; ``shaft``: the side
-    towards it, None for a single-acting piston. ``strokes``: of the working cycle, 2 a turn of the crank.
+    towards it, None for a single-acting piston. ``strokes``: of the working cycle, 2 a turn of the crank;
+    ``phase``: how much later than at the piston's own first dead centre the cycle begins, degrees.
     ``base`` is the drawn length of the stroke; ``height`` that of the highest pressure, mm, unless ``mu``
-    (Pa/mm) says.
+    (Pa/mm) says. ``same_as``: the piston whose pressures these are. ``further``: the other cylinders.
     """
 
     point: str = key(v.TEXT, "the letter of the piston's point", "B")
     cover: Gas = combined_key(
         _gas("cover"),
-        bore=key(v.POSITIVE_LENGTH, "diameter of the cylinder", "120 mm"),
+        bore=key(
+            v.POSITIVE_LENGTH,
+            "diameter of the cylinder; left out only where same_as gives it",
+            "120 mm",
+            None,
+        ),
         cover=key(
             _PRESSURES, "pressures on the side away from the crank", ["300 kPa", "240 kPa"], None
         ),
@@ -221,11 +228,34 @@ class IndicatorTask:
         4,
         2,
     )
+    phase: float = key(
+        v.ANGLE,
+        "of several cylinders: how much later its cycle begins than at its own first dead centre",
+        "360 deg",
+        0.0,
+    )
+    same_as: str = combined_key(
+        lambda said: said.same_as or "",
+        "",
+        same_as=key(
+            v.TEXT,
+            "of several cylinders: the point of the piston whose pressures it has",
+            "B",
+            None,
+        ),
+    )
     base: float = key(v.DRAWN, "drawn length of the stroke", "100 mm", 100.0, fixes="size")
     height: float = key(v.DRAWN, "room for the highest pressure", "100 mm", 100.0, fixes="size")
     mu: float | None = key(
         v.mu("scale of pressures"), "Pa/mm", "1500 Pa/mm", None, written="mu_p", fixes="size"
     )
+
+    further: tuple[IndicatorTask, ...] = ()
+
+    @property
+    def every(self) -> tuple[IndicatorTask, ...]:
+        """All cylinders in the order of the scene, each by itself."""
+        return (replace(self, further=()), *self.further)
 
     @property
     def turns(self) -> int:
@@ -249,142 +279,28 @@ class Wish(NamedTuple):
     order: IndicatorTask
 
 
-def check(asked: Said, parts: Parts) -> Iterator[Flaw]:
-    """Every contradiction of the section: pressures told twice or not at all, a rod without its side."""
-    yield from parts.moves(("indicator", "point"), asked.point)
-    turns = asked.strokes // 2
-    count = parts.drive.count * turns if parts.drive is not None else None
-    yield from _cycle(asked, parts)
-    for side in ("cover", "shaft"):
-        told = [k for k in (side, f"{side}_points", f"{side}_strokes") if getattr(asked, k)]
-        for other in told[1:]:
-            says = said(
-                "{key} gives the pressures of that side already; leave one of them out", key=told[0]
-            )
-            yield Flaw(("indicator", other), says)
-        if side == "cover" and not told:
-            says = said(
-                'it is missing; write the pressures, ["300 kPa", ...], or cover_points, or cover_strokes'
-            )
-            yield Flaw(("indicator", "cover"), says)
-        yield from _turns(asked, side)
-        yield from _strokes(asked, side)
-        given = getattr(asked, side)
-        if given is not None and count is not None and len(given) != count:
-            says = said(
-                "{n} pressures for {count} positions; give one for each, from the first on",
-                n=len(given),
-                count=count,
-            )
-            yield Flaw(("indicator", side), says)
-    others = asked.shaft or asked.shaft_points or asked.shaft_strokes
-    if asked.rod is not None and not others:
-        says = said("it matters on the side of the shaft only; write shaft as well")
-        yield Flaw(("indicator", "rod"), says)
-    if asked.rod is not None and asked.rod >= asked.bore:
-        says = said("the rod is as thick as the cylinder; make it thinner")
-        yield Flaw(("indicator", "rod"), says)
+def together(orders: tuple[IndicatorTask, ...]) -> IndicatorTask:
+    """Return the first cylinder with the others; one that has the pressures of another is given them."""
+    by_point = {order.point: order for order in reversed(orders)}
+    first, *others = (_filled(order, by_point) for order in orders)
+    return replace(first, further=tuple(others))
+
+
+def mapped(order: IndicatorTask, change: Callable[[IndicatorTask], IndicatorTask]) -> IndicatorTask:
+    """Return all cylinders changed alike."""
+    first, *others = map(change, order.every)
+    return replace(first, further=tuple(others))
+
+
+def _filled(order: IndicatorTask, by_point: Mapping[str, IndicatorTask]) -> IndicatorTask:
+    if not order.same_as:
+        return order
+    of = by_point[order.same_as]
+    bore, shaft = order.cover.bore or of.cover.bore, of.shaft
+    if shaft is not None:
+        shaft = replace(shaft, bore=bore)
+    return replace(order, cover=replace(of.cover, bore=bore), shaft=shaft, strokes=of.strokes)
 
 
 ONE_TURN = ("diagrams", "engine")
 """Sections whose graphs go over one turn of the crank."""
-
-
-def _cycle(asked: Said, parts: Parts) -> Iterator[Flaw]:
-    """A number of strokes that no cycle has, or that other sections cannot be drawn over."""
-    if asked.strokes % 2:
-        says = said("a working cycle has 2 strokes or 4; write one of these")
-        yield Flaw(("indicator", "strokes"), says)
-    for other in ONE_TURN:
-        if asked.strokes == 4 and other in parts.doc:
-            says = said(
-                "four strokes take two turns, and the graphs of [{other}] go over one; give it a scene of "
-                "its own",
-                other=other,
-            )
-            yield Flaw(("indicator", "strokes"), says)
-
-
-def _turns(asked: Said, side: str) -> Iterator[Flaw]:
-    """Points that do not go from the cover to the far end and back."""
-    traced = getattr(asked, f"{side}_points")
-    if traced is None:
-        return
-    for name in ("out_2", "back_2"):
-        if (getattr(traced, name) is not None) != (asked.strokes == 4):
-            says = (
-                said("four strokes have it, too; write its points")
-                if asked.strokes == 4
-                else said("only a cycle of four strokes has it; write strokes = 4, or leave it out")
-            )
-            yield Flaw(("indicator", f"{side}_points", name), says)
-    for name, way, points in traced.strokes():
-        ends = (0.0, 1.0) if way == "out" else (1.0, 0.0)
-        shares = [share for share, _ in points]
-        ahead = v.follows(shares if way == "out" else [-share for share in shares])
-        if (shares[0], shares[-1]) != ends or not ahead:
-            says = said(
-                "the shares of the stroke {way} go from {first:g} to {last:g}, one after the other; put them "
-                "in order, two at a jump",
-                way=way,
-                first=ends[0],
-                last=ends[1],
-            )
-            yield Flaw(("indicator", f"{side}_points", name), says)
-
-
-def _strokes(asked: Said, side: str) -> Iterator[Flaw]:
-    """Polytropic parts that do not go from the cover to the far end and back."""
-    strokes = getattr(asked, f"{side}_strokes")
-    turns, before = _by_turns(strokes, asked.strokes // 2), 0
-    for parts in turns:
-        yield from _of_turn(parts, side, before)
-        before += len(parts)
-    if strokes and asked.strokes == 4 and len(turns) != 2:
-        says = said(
-            "four strokes are wanted, one after the other: out, back, out and back again; there are {n}",
-            n=2 * len(turns),
-        )
-        yield Flaw(("indicator", f"{side}_strokes"), says)
-    if any(part.n > 0 for part in strokes) and not asked.clearance > 0:
-        says = said(
-            "gas that is expanded or compressed needs the clearance; write clearance = 0.08"
-        )
-        yield Flaw(("indicator", "clearance"), says)
-
-
-def _of_turn(parts: list[Stroke], side: str, before: int) -> Iterator[Flaw]:
-    """The same of the parts of one turn; so many stand ``before`` them."""
-    reached = {"out": 0.0, "back": 1.0}
-    for i, part in enumerate(parts, before):
-        if (part.to - reached[part.stroke]) * (1 if part.stroke == "out" else -1) <= 0:
-            says = said(
-                "the stroke {way} has come to {share:g} already; go on from there",
-                way=part.stroke,
-                share=reached[part.stroke],
-            )
-            yield Flaw(("indicator", f"{side}_strokes", i, "to"), says)
-        reached[part.stroke] = part.to
-    if parts and reached != {"out": 1.0, "back": 0.0}:
-        says = said(
-            "the parts of the stroke out have to end at 1, those of the stroke back at 0; add the last part"
-        )
-        yield Flaw(("indicator", f"{side}_strokes"), says)
-
-
-def _idle(asked: Said, parts: Parts) -> Iterator[str]:
-    effects, doc = parts.said["effects"], parts.doc
-    gas = effects is not None and effects.gas and "forces" in doc
-    if not (gas or "flywheel" in doc or "engine" in doc):
-        yield said(
-            "indicator: nothing asks for the gas; add [flywheel] or [engine], or gas = true in [effects] with "
-            "[forces], or take [indicator] out"
-        )
-
-
-SECTIONS = (
-    Section(
-        "indicator", IndicatorTask, "the indicator diagram of a cylinder",
-        alone=True, gives=True, check=check, idle=_idle,
-    ),
-)  # fmt: skip

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
-from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder
 from graphic_tmm.chapters.indicator.record import BESIDE
 from graphic_tmm.chapters.indicator.task import VIEW
+from graphic_tmm.chapters.indicator.words import called
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.axes import on_axis
@@ -20,23 +23,28 @@ from graphic_tmm.scene.captions import captions
 
 def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
     """Return the indicator diagram, captioned, if it stands with the views of the chapter ``by``."""
-    cylinder, language = INDICATOR_PLAN.of(drawn), drawn.scene.language
+    cylinder = INDICATOR_PLAN.of(drawn)
     if cylinder is None or cylinder.shown_by != by:
         return []
+    scales = BESIDE.on(drawn).scales
+    return [
+        _view(drawn, one, mu, lettered, by) for one, mu in zip(cylinder.every, scales, strict=True)
+    ]
+
+
+def _view(drawn: Drawn, cylinder: Cylinder, mu: Mark, lettered: bool, by: str) -> Drawing:
+    """Return the diagram of a cylinder; ``mu``: the scale of its base."""
+    language, indicator = drawn.scene.language, cylinder.indicator
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
     axes = (on_axis("p", unit("Pa", language)), on_axis("S", unit("m", language)))
-    sides = cylinder.indicator.sides
+    sides = indicator.sides
     means = {m: symbol(m.name, language) for m in (side.mean for side in sides) if m is not None}
     several = sides if len(sides) > 1 else ()
     curves = {side.curve: symbol(side.pressure.name, language) for side in several}
-    on = subject(drawn, captions(language)[VIEW], by)
-    view = draw_indicator_ink(on, cylinder.indicator, names, axes, means, curves)
-    scales = (drawn.scales[VIEW], _scale_of_stroke(drawn))
+    name = indicator.chart.view
+    title = called(name, speaking(language)) or captions(language)[VIEW]
+    on = subject(drawn, title, by, name=f"{VIEW}-{cylinder.tag}" if cylinder.tag else "")
+    view = draw_indicator_ink(on, indicator, names, axes, means, curves)
+    scales = (drawn.scales[name], Scale(mu.name, drawn.value(mu), mu.unit))
     told = ", ".join(mu_text(scale, language) for scale in scales)
-    return [with_caption(view, on, lettered, told)]
-
-
-def _scale_of_stroke(drawn: Drawn) -> Scale:
-    """Return the scale of the base."""
-    mu = BESIDE.on(drawn).mu
-    return Scale(mu.name, drawn.value(mu), mu.unit)
+    return with_caption(view, on, lettered, told)

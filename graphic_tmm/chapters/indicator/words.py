@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from graphic_tmm.chapters.indicator.task import VIEW
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -12,8 +14,18 @@ CAPTIONS: dict[str, str] = {
 }
 
 
+_OF_CYLINDER = said("Indicator diagram of cylinder {point}")
+
+
+def called(view: str, speech: Speech) -> str:
+    """Return what the diagram of one of several cylinders is called; "" for other views."""
+    kind, _, point = view.partition(" ")
+    return speech(_OF_CYLINDER, point=point) if kind == VIEW and point else ""
+
+
 WORDS = Named(
     captions=CAPTIONS,
+    called=called,
     sources=("artobolevsky",),
 )
 
@@ -24,6 +36,8 @@ AUXILIARY = said(
 TRAVEL_ON_RAY = said(
     "The travel of the piston in this position, as it was read off the plan of positions."
 )
+STROKE = said("The stroke lies between both dead centres of the piston.")
+STROKE_ON_RAY = said("The stroke of the piston, as it was read between its dead centres.")
 CLOSING = said("The end of the stroke on the ray belongs to the end of the base.")
 ALIKE = said("Parallels cut both lines in the same ratio: the base is divided as the stroke is.")
 PRESSURE = said("Over the place of the piston stands the pressure of this position, to scale.")

@@ -30,15 +30,17 @@ from graphic_tmm.mechanism.records import Extreme
 
 STANDS = 1e-6
 """What goes slower than this share of its fastest stands."""
+ASIDE = 1.0
+"""So many degrees off a dead centre a slider has left it."""
 LEVEL = 1e-9
 """A guide that leans less than this is level."""
 
 
 class Slider(NamedTuple):
-    """What slides on the frame: its leg, the letter of its point, the sense of its guide off the crank."""
+    """What slides on the frame: its leg, its point, the sense of its guide off the crank."""
 
     leg: GuideLeg
-    letter: str
+    point: str
     outward: float
 
 
@@ -76,23 +78,23 @@ def draw_dead_centres(
     rod = group.legs[0]
     simple = (
         group.kind == 2
-        and slider.letter == group.inner.name
+        and len(survey.pairs) == 1
+        and survey.sweep.closed
+        and slider.point == group.inner.name
         and (rod.body, rod.pair.kind) == (survey.structure.first.link, "R")
     )
     drawn = list[Mark]()
     for choice, sign in ((1, "′"), (-1, "″")):
-        name = f"{slider.letter}{sign}"
-        known = [
-            s.it
-            for s in draft.board.construction().steps
-            if s.it.view == VIEW and s.it.letter == name
-        ]
+        name = f"{slider.point}{sign}"
+        role = f"dead centre {name}"
+        known = draft.board.construction().roles(VIEW, role)
         if known:
             drawn += known[:1]
         elif simple:
-            drawn.append(slider_end(draft, survey, frame, group, choice, (name, sign))[0])
+            end = slider_end(draft, survey, frame, group, choice, (name, sign), role)
+            drawn.append(end[0])
         else:
-            drawn.append(_tried(draft, survey, slider, choice, name))
+            drawn.append(_tried(draft, survey, slider, choice, (name, role)))
     draft.open(view)
     return DeadCentres(*drawn)
 
@@ -103,7 +105,7 @@ def extreme_at(survey: Survey, slider: Slider, choice: int) -> Extreme:
     ways = (("left", "right"), ("bottom", "top"))
     level = abs(way.real) >= abs(way.imag)
     at = ways[0 if level else 1][(way.real if level else way.imag) > 0.0]
-    return Extreme(slider.letter, at)
+    return Extreme(slider.point, at)
 
 
 WAYS = {"left": -1 + 0j, "right": 1 + 0j, "bottom": -1j, "top": 1j}
@@ -133,20 +135,22 @@ def _own_leg(survey: Survey, slider: Slider) -> GuideLeg:
     return next(leg for leg in legs if isinstance(leg, GuideLeg) and leg.link == slider.leg.link)
 
 
-def _tried(draft: Draft, survey: Survey, slider: Slider, choice: int, name: str) -> Mark:
+def _tried(
+    draft: Draft, survey: Survey, slider: Slider, choice: int, named: tuple[str, str]
+) -> Mark:
+    name, role = named
     extreme = extreme_at(survey, slider, choice)
-    tag = f"{name}"
-    angle = draw_refined(draft, survey, extreme, try_extreme(survey, extreme), tag)
+    angle = draw_refined(draft, survey, extreme, try_extreme(survey, extreme), name)
     step = drawn_once_more(
-        _Place(survey, survey.positions.point(slider.letter)),
+        _Place(survey, survey.positions.point(slider.point)),
         said(
             "At the crank angle {angle} draw the mechanism once more, thinly; mark {it}, where {point} stands.",
             angle="{angle}",
-            point=slider.letter,
+            point=slider.point,
             it="{it}",
         ),
     )
-    return draft.draw(step, name, angle, draft.mu_l)
+    return draft.draw(step, name, angle, draft.mu_l, role=role)
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,6 +173,18 @@ def goes_out(survey: Survey, slider: Slider, angles: Reals, way: complex) -> np.
     return np.asarray(speed * np.sign((way * np.conj(way_)).real) >= -STANDS)
 
 
+def goes_inward(survey: Survey, slider: Slider, angles: Reals) -> np.ndarray:
+    """Tell at which crank angles (degrees) a slider comes from its dead centre away from the crank."""
+    return goes_out(survey, slider, angles, -slider.outward * _direction(survey, slider))
+
+
+def dead_centre(survey: Survey, slider: Slider, angle: float) -> int:
+    """Return at which dead centre a slider stands at an angle (degrees): 1 away from the crank, or −1."""
+    mark, ahead = survey.positions.point(slider.point), slider.outward * _direction(survey, slider)
+    there = survey.at(np.array([[angle, angle + ASIDE]]), [mark])[mark][0]
+    return 1 if ((there[0] - there[1]) * np.conj(ahead)).real > 0.0 else -1
+
+
 def stands(survey: Survey, slider: Slider, angles: Reals) -> np.ndarray:
     """Tell at which crank angles (degrees) a slider stands."""
     return np.asarray(np.abs(_speed(survey, slider, angles)[0]) <= STANDS)
@@ -177,7 +193,7 @@ def stands(survey: Survey, slider: Slider, angles: Reals) -> np.ndarray:
 def _speed(survey: Survey, slider: Slider, angles: Reals) -> tuple[Reals, complex]:
     """Return how fast a slider goes, as a share of its fastest, and along which axis that is measured."""
     along = _direction(survey, slider)
-    name, way = ("x", 1 + 0j) if abs(along.real) >= abs(along.imag) else ("y", 1j)
-    axis = survey.axes[slider.letter, name]
+    axis_name, way = ("x", 1 + 0j) if abs(along.real) >= abs(along.imag) else ("y", 1j)
+    axis = survey.axes[slider.point, axis_name]
     fastest = np.max(np.abs(np.nan_to_num(survey.whole([axis])[1][axis])), initial=0.0)
     return np.asarray(survey.at(angles[None, :], [axis])[axis])[0] / fastest, way

@@ -263,12 +263,18 @@ def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) ->
 
 
 def slider_end(
-    draft: Draft, survey: Survey, frame: Body, group: Group, choice: int, named: tuple[str, str]
+    draft: Draft,
+    survey: Survey,
+    frame: Body,
+    group: Group,
+    choice: int,
+    named: tuple[str, str],
+    role: str = "",
 ) -> tuple[Mark, bool]:
     """Draw where a slider on the crank's rod turns back; return the point, and if the rod is longer.
 
     ``choice``: 1 with crank and rod stretched, −1 with them folded; ``named``: the letter of the point, the tag
-    of what belongs to it.
+    of what belongs to it; ``role``: what the point is for.
     """
     name, tag = named
     opening, _, inner, longer = _reach(draft, survey, group, choice)
@@ -283,7 +289,7 @@ def slider_end(
     own = survey.mechanism.by_number[leg.link].points[inner]
     guide = draw_guide(draft, frame, leg.pair, level(leg.pair, leg.link, own), leg.pair.name)
     side = _side(draft, survey, group, tag)
-    return draft.draw(cut, name, guide, arc, side, why=why.EXTREME_PIN), longer
+    return draft.draw(cut, name, guide, arc, side, role=role, why=why.EXTREME_PIN), longer
 
 
 def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:

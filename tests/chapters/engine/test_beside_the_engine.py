@@ -172,6 +172,6 @@ def test_the_scale_of_the_stroke_is_a_step_and_stands_below_the_diagram() -> Non
     for name, due in (("locomobile", 0.0023), ("engine", 0.006)):
         made = drawn(name, exact=True)
         found = STROKE.on(made)
-        assert made.reading[found.mu].item() == pytest.approx(due, rel=1e-9)
+        assert made.reading[found.scales[0]].item() == pytest.approx(due, rel=1e-9)
         text = "\n".join(protocol(made, ("engine", "flywheel"), "2", "en"))
         assert "μ_S = S/L" in text

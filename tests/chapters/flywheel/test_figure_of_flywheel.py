@@ -37,7 +37,8 @@ def energy_mass(work: Drawn) -> Drawing:
 @each("name", WHEELS)
 def test_the_energy_mass_curve_of_the_scenes(name: str) -> None:
     work = drawn(name, exact=True)
-    assert_read_off_the_log(work.construction, [energy_mass(work)])
+    if FLYWHEEL_PLAN.on(work).order.tangents is not None:
+        assert_read_off_the_log(work.construction, [energy_mass(work)])
 
 
 @each("name", WHEELS)

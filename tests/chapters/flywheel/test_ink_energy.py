@@ -32,7 +32,7 @@ def view(which: str, lettered: bool = True) -> Drawing:
     work, names = drawn("engine", exact=True), drawn("engine", exact=True).project.names
     log = work.project.construction
     if which == "indicator":
-        made = flywheel().indicator
+        made = flywheel().cylinder.indicator
         return finished(draw_indicator_ink(Subject(log, work.reading, "X"), made, names), lettered)
     second = flywheel().energy_mass
     assert second is not None
@@ -51,7 +51,7 @@ def curves(of: Drawing) -> list[shapely.LineString]:
 def test_the_curve_passes_through_its_points(which: str) -> None:
     second = flywheel().energy_mass
     assert second is not None
-    mark = flywheel().indicator.sides[0].points if which == "indicator" else second.points
+    mark = flywheel().cylinder.indicator.sides[0].points if which == "indicator" else second.points
     (curve,) = curves(view(which))
     for spot in drawn("engine", exact=True).reading[mark][0]:
         assert curve.distance(shapely.Point(spot.real, spot.imag)) < 1e-9

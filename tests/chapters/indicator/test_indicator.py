@@ -44,7 +44,7 @@ def drawn(double: bool = False, extra: tuple[float, ...] = ()) -> Drawn:
 
 def made(of: Drawn) -> Indicator:
     assert FLYWHEEL_PLAN.of(of) is not None
-    return FLYWHEEL_PLAN.on(of).indicator
+    return FLYWHEEL_PLAN.on(of).cylinder.indicator
 
 
 def travel() -> np.ndarray:

@@ -43,7 +43,7 @@ def drawn(*stretches: Stretch, count: int = 12, extra: tuple[float, ...] = ()) -
 
 def pressures(made: Drawn) -> np.ndarray:
     assert FLYWHEEL_PLAN.of(made) is not None
-    (side,) = FLYWHEEL_PLAN.on(made).indicator.sides
+    (side,) = FLYWHEEL_PLAN.on(made).cylinder.indicator.sides
     return np.asarray(made.reading[side.ordinate][0] * 2000.0)
 
 
@@ -86,7 +86,7 @@ def test_at_a_jump_the_pressure_behind_it_holds() -> None:
 def test_the_mean_pressure_of_many_positions_is_that_of_the_strokes() -> None:
     made = drawn(*STEAM, count=360)
     assert FLYWHEEL_PLAN.of(made) is not None
-    (side,) = FLYWHEEL_PLAN.on(made).indicator.sides
+    (side,) = FLYWHEEL_PLAN.on(made).cylinder.indicator.sides
     out = 600e3 * (0.3 + (C + 0.3) * np.log((C + 1) / (C + 0.3)))
     compressed = 110e3 * (C + 0.25) / 0.2 * (((C + 0.25) / C) ** 0.2 - 1)
     due = out - 110e3 * 0.75 - compressed
@@ -104,29 +104,3 @@ def test_a_gap_in_the_diagram_is_told() -> None:
         StructureError, match=r"no part of the diagram stands over .* of the stroke out"
     ):
         drawn(*STEAM[:1], *STEAM[2:])
-
-
-def engine(zero: float, stretches: tuple[Stretch, ...] = ()) -> None:
-    scene = read(SHEETS / "engine")
-    assert scene.tasks.get("flywheel") is not None
-    gas = Gas((1e5,) * 12, BORE) if not stretches else Gas((), BORE, 0.0, stretches, C)
-    order = replace(scene.tasks["flywheel"], indicator=IndicatorTask("B", gas, mu=2000.0))
-    sheets = (SheetOrder("A1", ("positions", "velocities", "flywheel")),)
-    row = replace(scene.row, zero=zero, accelerations=())
-    drawn_of(replace(scene, row=row, sheets=sheets).asking(flywheel=order), exact=True)
-
-
-@pytest.mark.slow
-def test_a_row_that_begins_between_dead_centres_is_refused() -> None:
-    with pytest.raises(
-        StructureError, match="dead centre of B: begin where B is farthest from the crank"
-    ):
-        engine(10.0)
-    engine(0.0)
-    engine(180.0)  # pressures by position may begin at either end
-
-
-def test_parts_of_a_diagram_begin_at_the_cover() -> None:
-    engine(0.0, STEAM)
-    with pytest.raises(StructureError, match="the row begins at the other end"):
-        engine(180.0, STEAM)
