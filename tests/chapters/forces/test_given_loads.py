@@ -13,6 +13,8 @@ from support.loaded import RATIO, errors, solve, weighed
 from support.mechanisms import KINDS, Sampled, sample
 from support.oracle import State, solve_fast
 
+from graphic_tmm.board.record import TALLY
+from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import letters, with_opposites
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
@@ -236,3 +238,11 @@ def test_both_arrows_of_a_task_sheet(tmp_path: Path) -> None:
     (first,), (second,) = (one.wanted for one in shown)
     assert abs(first.at / (3 + 4j) - abs(first.at) / 5.0) < 1e-12
     assert abs((second.at - 3 - 4j) + first.at) < 1e-12
+
+
+def test_the_image_of_a_point_over_the_rocker_is_drawn_once(tmp_path: Path) -> None:
+    push = PUSH.replace('"D"', '"A"') + 'from = 3\ndirection = "along z"'
+    log = drawn(tmp_path, push).construction
+    images = [s.it.letter for s in log.steps if s.it.view == "velocities" and s.it.kind is Point]
+    assert sorted(images) == sorted(set(images))
+    assert not any(TALLY in letter for letter in images)
