@@ -129,6 +129,7 @@ def record(bench: Bench) -> KinematicPlans:
     mechanism, row = scene.mechanism, _over(scene.row, turns)
     assert mechanism is not None
     structure = dissect(mechanism)
+    _refuse_no_stroke(mechanism, row)
     tried = survey(mechanism, structure, zero_of(row))
     if turns > 1 and tried.returning_late:
         raise StructureError(
@@ -225,9 +226,19 @@ def closed(row: Row, pairs: Sequence[DrivenPair]) -> bool:
     return all(one.sweep.closed for one in further) and all(ratio.is_integer() for ratio in ratios)
 
 
+def _refuse_no_stroke(mechanism: Mechanism, row: Row) -> None:
+    """Refuse several drives whose first slides from an unknown place: the others stand by its zero."""
+    if mechanism.further and mechanism.drive.slides and row.ends is None and not row.places:
+        raise StructureError(
+            said("several drives begin where the first does: write from and to in its [[drive]]"),
+            "drive.from",
+            head="drive",
+        )
+
+
 def _filled(row: Row, assembly: Assembly) -> Row:
     """Return a row with its ends: where a drive slides and the scene names none, those of its stroke."""
-    if assembly.sweep.closed or row.ends is not None or row.places:
+    if assembly.sweep.turns or row.ends is not None or row.places:
         return row
     sweep = assembly.sweep
     low, high = max(assembly.ranges or ((sweep.low, sweep.high),), key=lambda one: one[1] - one[0])

@@ -1,0 +1,98 @@
+"""What balances each drive, against the power of all loads; what stands, against the same in slow motion."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from support.driven_scenes import BOOM, OUT, ROCKER, SLIDER, TORQUE, scene
+
+import graphic_tmm
+from graphic_tmm.errors import TmmError
+
+WEIGHT = 'mass = "40 kg"\ncentre = "C"\nJ = 0\n'
+STATIC = "[effects]\ngravity = true\n[forces]\n"
+
+
+def forces(text: str, drive: str, loaded: str = "") -> graphic_tmm.Table:
+    return graphic_tmm.draw(scene(text, drive, loaded), exact=True).table("forces")
+
+
+def test_a_rod_bears_what_the_power_says() -> None:
+    """P·v_r = m·g·v_C upwards, in every position."""
+    table = forces(BOOM, OUT + STATIC, WEIGHT)
+    lengths = np.linspace(0.6, 0.85, 6)
+    motion = graphic_tmm.motion(scene(BOOM, OUT), lengths, exact=True)
+    due = 40.0 * 9.81 * motion.velocities["C", 1].imag / 0.05
+    for name in ("P_bal_forces", "P_bal_lever"):
+        np.testing.assert_allclose(table[name].value[0], due, rtol=1e-9)
+
+
+def test_a_slider_bears_what_the_power_says() -> None:
+    drive = 'speed = "0.5 m/s"\nfrom = "250 mm"\nto = "350 mm"\npositions = 2\n'
+    table = forces(SLIDER, drive + TORQUE)
+    motion = graphic_tmm.motion(scene(SLIDER, drive), [0.35], exact=True)
+    due = -10.0 * motion.omega[3][0] / 0.5
+    for name in ("P_bal_forces", "P_bal_lever"):
+        np.testing.assert_allclose(table[name].value[0, 1], due, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("text", "slow", "stands"),
+    [
+        (BOOM, OUT, OUT.replace("0.05", "0")),
+        (ROCKER, "speed = 1\npositions = 4\n", "speed = 0\npositions = 4\n"),
+    ],
+)
+def test_what_stands_is_held_as_in_slow_motion(text: str, slow: str, stands: str) -> None:
+    loads = (STATIC, WEIGHT) if text is BOOM else (TORQUE, "")
+    own, due = (forces(text, drive + loads[0], loads[1]) for drive in (stands, slow))
+    for name in ("P_bal_forces", "P_bal_lever"):
+        np.testing.assert_allclose(own[name].value, due[name].value, rtol=1e-9)
+
+
+def test_of_what_stands_a_starting_drive_asks_for_its_own_acceleration_alone() -> None:
+    """At rest a point gains only ε·l: no normal acceleration, none of Coriolis."""
+    starts = 'speed = 0\nacceleration = "3 rad/s^2"\npositions = 4\naccelerations = "all"\n'
+    table = graphic_tmm.draw(scene(ROCKER, starts), exact=True).table("accelerations")
+    moving = graphic_tmm.motion(scene(ROCKER, "speed = 1\n"), [90.0], exact=True)
+    for link in (2, 3):
+        due = 3.0 * moving.omega[link][0]
+        np.testing.assert_allclose(table[f"epsilon{link}"].value[0, 1], due, rtol=1e-9)
+
+
+def test_two_cranks_do_the_work_of_all_loads_together() -> None:
+    text = ROCKER.format(drive="speed = 1\npositions = 4\n", loaded="")
+    text = text.replace("[drive]", "[[drive]]").replace(
+        "points = { C = [0, 0], B = [0.2, 0] }", "points = { D = [0, 0], B = [0.2, 0] }"
+    )
+    text = text.replace('side = "left of AC"', 'side = "left of AD"')
+    fourth = "[[link]]\nnumber = 4\npoints = { C = [0, 0], D = [0.08, 0] }\n[[drive]]\nlink = 1"
+    further = '\n[[drive]]\nlink = 4\nspeed = "2 rad/s"\nat = "40 deg"\n'
+    text = text.replace("[[drive]]\nlink = 1", fourth) + further
+    made = graphic_tmm.read(text + TORQUE.replace("[1]", '"all"'))
+    table = graphic_tmm.draw(made, exact=True).table("forces")
+    assert np.abs(table["difference"].value if "difference" in table else 0.0).max() < 1e-6
+    motion = graphic_tmm.motion(graphic_tmm.read(text), [0.0, 90.0, 180.0, 270.0], exact=True)
+    power = 10.0 * motion.omega[3]
+    power += table["P_bal_forces"].value[0] * 0.1 * 1.0 + table["P_bal_4"].value[0] * 0.08 * 2.0
+    np.testing.assert_allclose(power, 0.0, atol=1e-9 * np.abs(10.0 * motion.omega[3]).max())
+    np.testing.assert_allclose(table["P_bal_lever"].value, table["P_bal_forces"].value, rtol=1e-9)
+
+
+def test_a_moment_balances_only_what_turns() -> None:
+    with pytest.raises(TmmError, match="link 3 slides: it is balanced by a force"):
+        forces(BOOM, OUT + STATIC + 'balance = "moment"\n', WEIGHT)
+
+
+def test_friction_is_drawn_of_what_a_crank_drives() -> None:
+    rough = "[effects]\ngravity = true\nfriction = true\n[friction]\nf = { N = 0.1 }\nradius = { N = 0.01 }\n"
+    with pytest.raises(TmmError, match="friction"):
+        forces(BOOM, OUT + rough + "[forces]\n", WEIGHT)
+
+
+def test_a_chapter_of_a_turning_crank_refuses_another_drive_in_one_sentence() -> None:
+    with pytest.raises(
+        TmmError, match="one crank drives all round; here link 3 slides: leave"
+    ) as refused:
+        graphic_tmm.draw(scene(BOOM, OUT + '[diagrams]\npoint = "C"\n')).table("velocities")
+    assert "\n" not in str(refused.value)
