@@ -21,7 +21,7 @@ from graphic_tmm.board.record import Construction, Mark, again, kept
 from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, Findings, Numbers
 from graphic_tmm.project import Project
-from graphic_tmm.readers.any_angles.turn import Turn, Turning
+from graphic_tmm.readers.any_angles.turn import Turn, Turning, open_row
 from graphic_tmm.readers.findings import reason
 
 WHOLE = 360.0
@@ -67,7 +67,8 @@ def dense(drawn: Drawn) -> Dense | None:
     def read(marks: Iterable[Mark]) -> Reading:
         return execute(again(log, known), known, marks)
 
-    turn = Turn(turned, span, drawn.project.count, read)
+    steps = open_row(drawn.scene, np.asarray(drawn.given[by], dtype=float)[0])
+    turn = Turn(turned, span, drawn.project.count, read, row=steps)
     for chapter in drawn.project.chapters:
         known |= Turning.of(chapter).between(sheet, turn)
     following = again(log, known)

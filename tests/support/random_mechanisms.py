@@ -121,7 +121,8 @@ def _table(plane: Plane, body: Body) -> dict[str, Any]:
         told["side"] = body.side
     if pick.random() < 0.8:
         mass = pick.uniform(0.5, 10.0)
-        told |= {"mass": mass, "centre": f"S{number}"}
+        at_pin = body.letters and pick.random() < 0.2
+        told |= {"mass": mass, "centre": pick.choice(body.letters) if at_pin else f"S{number}"}
         if pick.random() < 0.7:
             told["J"] = mass * (0.3 * plane.scale) ** 2
     return told
@@ -268,6 +269,7 @@ def drawn(
         _drive(plane, body, kind, first=body is driving[0])
         for body, kind in zip(driving, drives, strict=True)
     ]
+    balance = pick.choice(("force", "moment")) if set(drives) == {"crank"} else "force"
     scene: dict[str, Any] = {
         "title": "Random",
         "language": "en",
@@ -277,7 +279,7 @@ def drawn(
         "effects": {"gravity": pick.random() < 0.6, "inertia": pick.random() < 0.7},
         "load": _loads(plane, drives),
         "spring": _springs(plane),
-        "forces": {"positions": "all", "balance": pick.choice(("force", "moment"))},
+        "forces": {"positions": "all", "balance": balance},
     }
     scene = {key: value for key, value in scene.items() if value != []}
     judge = Judge(scene)

@@ -177,7 +177,7 @@ def _moment(ground: Ground, load: Load, loads: Loads) -> Couple:
             "direction",
         )
     size = _size(ground, load, f"|{letter}|", "N·m", loads)
-    fastest = plan.rates[ground.mechanism.drive.link]
+    fastest = plan.rates.get(ground.mechanism.drive.link, rate)
     value = draft.draw(against_turning, letter, size, rate, fastest, unit="N·m")
     return Couple(letter, load.link, value)
 
@@ -195,7 +195,8 @@ def _sized(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
         return by_travel(draft, ground, load.travel, ground.numbers.size, (letter, unit))
     value: object = load.size
     if load.by_angle:
-        value = size_at_turn(load.by_angle, ground.numbers * (TURN / intervals))[None, :]
+        turned = ground.numbers * (TURN / intervals) if ground.steps is None else ground.steps
+        value = size_at_turn(load.by_angle, turned)[None, :]
     elif isinstance(load.size, tuple):
         if len(load.size) != intervals:
             raise StructureError(

@@ -130,7 +130,8 @@ class Ground(NamedTuple):
 
     ``quarters``: right angles by which a vector of the velocity plan is turned into its true direction.
     ``survey``: the mechanism at any angles. ``numbers``: where each position stands in the row, which has so
-    many ``turns`` of so many ``intervals``.
+    many ``turns`` of so many ``intervals``; ``steps``: of one that does not close, how far each position
+    is from the first.
     """
 
     draft: Draft
@@ -143,6 +144,7 @@ class Ground(NamedTuple):
     numbers: np.ndarray
     intervals: int
     turns: int = 1
+    steps: np.ndarray | None = None
 
     @property
     def pairs(self) -> tuple[DrivenPair, ...]:

@@ -127,6 +127,7 @@ def _ground(bench: Bench, plans: KinematicPlans) -> Ground:
         plans.numbers,
         plans.in_turn,
         plans.turns,
+        plans.steps,
     )
 
 

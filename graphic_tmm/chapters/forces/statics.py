@@ -168,7 +168,7 @@ def _tangents(
     for leg in closing.legs:
         total = turning[leg.link]
         if isinstance(leg, PinLeg) and total is not None:
-            letter = f"R_{{{leg.body}{leg.link}}}^{{t}}"
+            letter = f"R_{{{leg.body}{links_of(leg)[0]}}}^{{t}}"
             reach = figure.length(leg.pivot, closing.point)
             uses = (total, reach, figure.mu)
             value = figure.draft.draw(tangential, letter, *uses, unit="N")
@@ -198,7 +198,7 @@ def _unknown(draft: Draft, leg: ClosingLeg, through: Mark, slopes: dict[Pair, Sl
     """Draw the line of an unknown force: along a link, or square to a guide but for the angle of friction."""
     match leg:
         case PinLeg():
-            letter, along = f"(R_{{{leg.body}{leg.link}}})", leg.line
+            letter, along = f"(R_{{{leg.body}{links_of(leg)[0]}}})", leg.line
             return draft.draw(parallel, letter, through, along, sense=1, why=why.NORMAL_UNKNOWN)
         case GuideLeg():
             pair = _pair(leg)
@@ -237,11 +237,13 @@ def _read(
         slides = isinstance(leg, GuideLeg) and not leg.inner
         guide = leg.line if slides and rough else None
         couple = turning[leg.link] if slides else None
-        found.append(reaction_of(figure, (leg.body, leg.link), vector, guide, couple))
+        held = leg.body, links_of(leg)[0]
+        found.append(reaction_of(figure, held, vector, guide, couple))
     guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
-    between = reaction_of(figure, (first.link, second.link), (at.top, at.middle), guide, couple)
+    inside = links_of(first)[-1], links_of(second)[-1]
+    between = reaction_of(figure, inside, (at.top, at.middle), guide, couple)
     letters = [
-        f"R_{{{leg.body}{leg.link}}}" + ("^{n}" if leg.link in tangents else "")
+        f"R_{{{leg.body}{links_of(leg)[0]}}}" + ("^{n}" if leg.link in tangents else "")
         for leg in closing.legs
     ]
     sides = (*chain.sides, (letters[1], at.end, at.top), (letters[0], at.top, at.start))
@@ -287,7 +289,7 @@ def hand_on(
             continue
         figure = figure_of(leg.body)
         point = closing.at(leg)
-        letter = f"R_{{{leg.link}{leg.body}}}"
+        letter = f"R_{{{links_of(leg)[0]}{leg.body}}}"
         line = figure.act(letter, point, reaction.head, reaction.tail)
         acting.add(Force(letter, leg.body, point, line, reaction.value))
         couple = solved.turning.get(leg.link)

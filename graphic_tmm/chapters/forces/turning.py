@@ -73,13 +73,14 @@ def between(drawn: Drawn, turn: Turn) -> Between:
     found: dict[Mark, object] = {mu: common(drawn.given[mu]) for mu in scales}
     in_turn = KINEMATICS_PLAN.on(drawn).in_turn
     at = turn.numbers % in_turn
+    degrees = turn.numbers * (TURN / in_turn) if turn.row is None else turn.along
     for load, size in zip(made.order.loads, made.loads.given, strict=True):
         if not varies(load):
             continue
         if load.travel is not None:
             found |= _by_travel(drawn, turn, load, size)
         elif load.by_angle:
-            found[size] = size_at_turn(load.by_angle, turn.numbers * (TURN / in_turn))[None, :]
+            found[size] = size_at_turn(load.by_angle, degrees)[None, :]
         elif isinstance(load.size, tuple):
             found[size] = np.interp(at, np.arange(in_turn), load.size, period=in_turn)[None, :]
     return found

@@ -51,7 +51,8 @@ class KinematicPlans:
     positions (indices) that get an acceleration plan, ``extremes``: those that are extreme positions;
     ``numbers``: where each position stands in the row, in intervals of it; ``count`` of the positions make the
     row, over so many ``turns``; ``rows``: what tables are asked to tell besides; ``closed``: whether the
-    row comes back to where it began, ``ends``: where one that does not begins and ends.
+    row comes back to where it began, ``ends``: where one that does not begins and ends,
+    ``steps``: how far each of its positions is from the first.
     """
 
     mechanism: Mechanism
@@ -71,6 +72,7 @@ class KinematicPlans:
     rows: tuple[Further, ...] = ()
     closed: bool = True
     ends: tuple[float, float] | None = None
+    steps: np.ndarray | None = None
 
     @property
     def in_turn(self) -> int:
@@ -197,6 +199,7 @@ def record(bench: Bench) -> KinematicPlans:
         further,
         closes,
         None if row.ends is None and not row.places else (float(values.min()), float(values.max())),
+        None if row.ends is None and not row.places else np.abs(values[0] - values[0, 0]),
     )
     draft.given |= standing(made, values, carried=True)
     later = frozenset(made.repeated)

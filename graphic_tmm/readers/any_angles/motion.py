@@ -27,7 +27,14 @@ from graphic_tmm.paper.formats import USUAL
 from graphic_tmm.project import record as record_project
 from graphic_tmm.readers.any_angles.ready import Ready, made_ready
 from graphic_tmm.readers.any_angles.results import Motion, NotAsked
-from graphic_tmm.readers.any_angles.turn import PLAN_OF, Plan, Turn, Turning, TurnQuantity
+from graphic_tmm.readers.any_angles.turn import (
+    PLAN_OF,
+    Plan,
+    Turn,
+    Turning,
+    TurnQuantity,
+    open_row,
+)
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.misfits import meant
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -40,12 +47,14 @@ WHOLE = 360.0
 class Recorded:
     """A log to be run at any angles by a hand: its quantities, and the drawing at the positions of its scene.
 
-    ``whole``: how far the crank turns over the row of positions, degrees, signed.
+    ``whole``: how far the crank turns over the row of positions, degrees, signed; ``row``: of one that does not
+    close, how far each of its positions is from the first.
     """
 
     sheet: Drawn
     told: tuple[TurnQuantity, ...]
     whole: float
+    row: Reals | None = None
     slices: dict[object, Ready] = field(default_factory=dict)
     readers: dict[tuple[Mark, ...], Program] = field(default_factory=dict)
 
@@ -62,13 +71,15 @@ class Recorded:
     def known(self, angles: Reals) -> dict[Mark, Any]:
         """Return what is given at angles of the crank (degrees; (1, angle)), and nowhere else."""
         project = self.sheet.project
-        turned = angles[0] - float(project.coordinates[0] or 0.0)
+        row, zero = self.sheet.scene.row, project.coordinates[0]
+        first = row.ends or row.places
+        turned = angles[0] - float((first[0] if first else zero) or 0.0)
         found: dict[Mark, Any] = {}
 
         def read(marks: Iterable[Mark]) -> Reading:
             return self._read(tuple(marks), found)
 
-        turn = Turn(turned, self.whole, project.count, read, angles)
+        turn = Turn(turned, self.whole, project.count, read, angles, self.row)
         for chapter in project.chapters:
             found |= Turning.of(chapter).between(self.sheet, turn)
         return found
@@ -131,9 +142,13 @@ def _recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
     )
     by = next(mark for mark in log.given if mark.role == roles.ROW)
     row = np.asarray(given[by], dtype=float)[0]
-    whole = float(round(float(row[1]) * project.count)) if project.count > 1 else WHOLE
+    steps = open_row(scene, row)
+    if steps is not None:
+        whole = math.copysign(float(steps[-1]), float(row[-1]))
+    else:
+        whole = float(round(float(row[1]) * project.count)) if project.count > 1 else WHOLE
     told = chain.from_iterable(Turning.of(chapter).told(project) for chapter in project.chapters)
-    return Recorded(sheet, tuple(row for row in told if row.plan in plans), whole)
+    return Recorded(sheet, tuple(row for row in told if row.plan in plans), whole, steps)
 
 
 def _still(sheet: Drawn, known: Mapping[Mark, Any]) -> dict[Mark, Any]:

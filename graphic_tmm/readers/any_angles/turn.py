@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar, Literal, NamedTuple
 
+import numpy as np
+
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
@@ -28,7 +30,8 @@ class Turn:
     intervals. ``read``: the numbers of marks at these angles, of what is known already. ``angles``: the
     direction of the crank itself where that is what is asked for, degrees, (1, angle): the state of a mechanism
     that was never turned from anywhere; None where it is turned from the zero position on. A chapter that hands
-    this very array on does so at any angles: it is asked once.
+    this very array on does so at any angles: it is asked once. ``row``: of a row that does not close, how far
+    each of its positions is from the zero position.
     """
 
     turned: Reals
@@ -36,13 +39,32 @@ class Turn:
     count: int
     read: Callable[[Iterable[Mark]], Reading]
     angles: Reals | None = None
+    row: Reals | None = None
+
+    @property
+    def along(self) -> Reals:
+        """How far it has turned, in the sense in which it is drawn."""
+        return self.turned if self.whole > 0.0 else -self.turned
 
     @cached_property
     def numbers(self) -> Reals:
         """Where each angle is in the row, in intervals of it."""
+        if self.row is not None:
+            return np.interp(self.along, self.row, np.arange(self.row.size))
         whole = abs(self.whole)
-        along = self.turned if self.whole > 0.0 else -self.turned
-        return along % whole * self.count / whole
+        return self.along % whole * self.count / whole
+
+
+def open_row(scene: Scene, steps: Reals) -> Reals | None:
+    """Return how far each position of a row is from the first; None of a row of whole turns.
+
+    ``steps``: how far the drive comes from the first position to each, with its sign.
+    """
+    row, mechanism = scene.row, scene.mechanism
+    slides = mechanism is not None and mechanism.drive.slides
+    if row.ends is None and not row.places and not slides:
+        return None
+    return np.abs(steps[: row.count])
 
 
 Plan = Literal["positions", "velocities", "accelerations", "forces"]

@@ -109,7 +109,8 @@ class Slider(DrivenPair):
         length = draft.draw(to_board, segment, speed)
         line = lines.along(f"({segment})", pole, self.path(positions, draft.uses), True)
         image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
-        plan.measured.add(image)
+        if self.drive.speed > 0.0:  # against its guide its length is yet to be read
+            plan.measured.add(image)
         plan.driven[self.link] = pole, image
         self._hang(positions, plan, image)
 
@@ -134,7 +135,8 @@ class Slider(DrivenPair):
         path = self.path(positions, draft.uses)
         line = draft.draw(parallel, f"({segment})", pole, path, sense=1, why=why.ACCELERATION_ALONG)
         image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
-        plan.measured.add(image)
+        if self.drive.acceleration > 0.0:
+            plan.measured.add(image)
         self._hang(positions, plan, image)
 
     @property
