@@ -8,13 +8,13 @@ from typing import NamedTuple
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.instruments import measure, measure_along, meet, parallel, square
-from graphic_tmm.board.operations.statics import balancing, reversed_
+from graphic_tmm.board.operations.statics import at_friction_angle, balancing, reversed_
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
-from graphic_tmm.chapters.forces.statics import Solved, reaction_of
+from graphic_tmm.chapters.forces.statics import Slope, Solved, reaction_of
 from graphic_tmm.chapters.kinematics.bodies import PinLeg, Positions
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.errors import StructureError
@@ -57,7 +57,7 @@ class Driven(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where drives are balanced: the plan of positions, their figures, the frame, which kind is wanted."""
+    """Where drives are balanced: the plan of positions, the frame, which kind; friction along guides."""
 
     draft: Draft
     positions: Positions
@@ -65,6 +65,8 @@ class Place(NamedTuple):
     kind: str
     several: bool
     tried: int | None
+    slopes: dict[tuple[int, int], Slope]
+    rough: bool
 
     def letter(self, symbol: str, link: int) -> str:
         """Return the letter of what balances a drive, with the pass of friction that it is of."""
@@ -129,11 +131,18 @@ def solve_slider(place: Place, figure: Detached, pair: DrivenPair, acting: Actin
         chain.add(force.letter, force.line, force.value)
     end, name = chain.end, f"R_{{{frame}{number}}}"
     along = draft.draw(parallel, f"({letter})", end, guide, sense=1, why=why.ALONG_GUIDE)
-    across = draft.draw(square, f"({name})", start, guide, sense=1, why=why.GUIDE_UNKNOWN)
+    slope = place.slopes.get((number, frame))
+    across = (
+        draft.draw(square, f"({name})", start, guide, sense=1, why=why.GUIDE_UNKNOWN)
+        if slope is None
+        else draft.draw(at_friction_angle, f"({name})", start, guide, *slope)
+    )
     top = draft.draw(meet, str(chain.count + 1), along, across, why=why.POLYGON_CLOSES)
     length = draft.draw(measure_along, f"y_{{{letter}}}", end, top, along, why=why.REACTION_READ)
     balance = draft.draw(in_si, letter, length, unit="N")
-    reaction = reaction_of(figure, (frame, number), (top, start), None, total)
+    reaction = reaction_of(
+        figure, (frame, number), (top, start), guide if place.rough else None, total
+    )
     polygon = Polygon(of, chain.mu, (*chain.sides, (letter, end, top), (name, top, start)))
     alone = Alone(polygon, reaction, figure, total, None, pin)
     return Driven(pair, letter, balance, (Force(letter, number, pin, line, balance),), None, alone)

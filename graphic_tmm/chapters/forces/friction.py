@@ -22,8 +22,8 @@ from graphic_tmm.chapters.forces.detached import Reaction
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.statics import Slope
 from graphic_tmm.chapters.forces.task import Friction
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, dyads
-from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
+from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, Positions, dyads
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, reach
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
@@ -41,6 +41,7 @@ class Joint(NamedTuple):
     pair: Pair
     links: tuple[int, int]
     closing: Closing | None
+    driven: DrivenPair | None = None
 
 
 @dataclass
@@ -68,8 +69,8 @@ def guide_leg(joint: Joint) -> GuideLeg:
 
 def joints(closings: tuple[Closing, ...], pairs: Iterable[DrivenPair]) -> tuple[Joint, ...]:
     """Return all pairs of a mechanism; ``pairs``: its drives."""
-    there = (one.pair for one in pairs if not one.driven.telescopes)
-    found = [Joint(pair, pair.links, None) for pair in there]
+    there = (one for one in pairs if not one.driven.telescopes)
+    found = [Joint(one.pair, one.pair.links, None, one) for one in there]
     for closing in dyads(closings, "forces"):
         for leg, own in zip(closing.legs, closing.group.legs, strict=True):
             found.append(Joint(own.pair, (leg.link, leg.body), closing))
@@ -78,14 +79,30 @@ def joints(closings: tuple[Closing, ...], pairs: Iterable[DrivenPair]) -> tuple[
     return tuple(found)
 
 
+class _Rubs(NamedTuple):
+    """Where friction acts along a guide: point and line, the images of it and of the point under it."""
+
+    point: Mark
+    line: Mark
+    image: Mark
+    under: Mark
+
+
+def _usual_rate(draft: Draft, pair: DrivenPair) -> Mark:
+    """Take the angular velocity that turning is measured by where a drive slides: v over all lengths."""
+    return draft.take(Number, "v/Σl", abs(pair.speed) / reach(pair.mechanism), "1/s")
+
+
 class Rub:
     """Draws the friction of the joints, pass after pass; radii of friction circles are calculated once."""
 
     def __init__(
-        self, draft: Draft, velocities: Motion, friction: Friction, pin_speed: Mark, crank: int
+        self, draft: Draft, plans: tuple[Positions, Motion], friction: Friction, pair: DrivenPair
     ) -> None:
-        self.draft, self.velocities, self.friction = draft, velocities, friction
-        self.pin_speed, self.fastest = pin_speed, velocities.rates[crank]
+        self.draft, self.friction = draft, friction
+        self.positions, self.velocities = plans
+        self.pin_speed = draft.uses(self.velocities.driven[pair.link][1])[1]
+        self.fastest = self.velocities.rates.get(pair.link) or _usual_rate(draft, pair)
         self.circles: dict[str, Mark] = {}
         self._coefficients: dict[str, Mark] = {}
         self._relative: dict[tuple[int, int], Mark | None] = {}
@@ -139,7 +156,11 @@ class Rub:
 
     def _guide(self, joint: Joint, reaction: Reaction, made: Rubbing) -> None:
         assert reaction.normal is not None
-        segment = self.velocities.readings[guide_leg(joint).link]
+        segment = (
+            self.velocities.readings[guide_leg(joint).link]
+            if joint.closing is not None
+            else self.draft.uses(self.velocities.driven[joint.links[0]][1])[1]
+        )
         f = self._coefficient(joint.pair.name)
         made.slopes[joint.links] = Slope(f, reaction.normal, segment, self.pin_speed)
 
@@ -157,24 +178,33 @@ class Rub:
         return made
 
     def _along(self, joint: Joint, reaction: Reaction, taken: Container[str]) -> list[Force]:
-        draft, (link, body), closing = self.draft, joint.links, joint.closing
-        assert closing is not None
-        leg, view = guide_leg(joint), reaction.length.view
+        draft, (link, body), view = self.draft, joint.links, reaction.length.view
+        rubs = self._rubs_at(joint)
         draft.open(view)
         letters = [f"F_{{{body}{link}}}", f"F_{{{link}{body}}}"]
         letters = [f"F_{{f{one[3:]}" if one in taken else one for one in letters]
         ends = (reaction.tail, reaction.head)
         segment = draft.draw(
-            measure_along, f"y_{{F{body}{link}}}", *ends, leg.line, why=why.FRICTION_READ
+            measure_along, f"y_{{F{body}{link}}}", *ends, rubs.line, why=why.FRICTION_READ
         )
         value = draft.draw(in_si, letters[0], segment, unit="N")
-        own = self.velocities.closed[closing.group.name]
-        under = known_image(self.velocities, closing, leg)
-        made = [Force(letters[0], link, closing.point, leg.line, value, own)]
-        if under != self.velocities.images.pole:
+        made = [Force(letters[0], link, rubs.point, rubs.line, value, rubs.image)]
+        if rubs.under != self.velocities.images.pole:
             back = draft.draw(reversed_, letters[1], value, unit="N")
-            made.append(Force(letters[1], body, closing.point, leg.line, back, under))
+            made.append(Force(letters[1], body, rubs.point, rubs.line, back, rubs.under))
         return made
+
+    def _rubs_at(self, joint: Joint) -> _Rubs:
+        """Return where friction acts along a guide."""
+        closing, plan = joint.closing, self.velocities
+        if closing is not None:
+            leg = guide_leg(joint)
+            own = plan.closed[closing.group.name]
+            return _Rubs(closing.point, leg.line, own, known_image(plan, closing, leg))
+        assert joint.driven is not None
+        _, pin = joint.driven.led(self.positions)
+        under, own = plan.driven[joint.links[0]]
+        return _Rubs(pin, joint.driven.path(self.positions, self.draft.uses), own, under)
 
     def _turning(self, link: int, body: int) -> Mark | None:
         """Return the angular velocity of a link relative to another; None if there is none."""

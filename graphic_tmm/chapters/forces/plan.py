@@ -228,18 +228,16 @@ def _rub(ground: Ground, friction: Friction) -> Rub:
     Raises
     ------
     StructureError
-        If what drives slides, or there are several drives.
+        If there are several drives.
     """
-    crank = ground.pairs[0]
-    if len(ground.pairs) > 1 or not crank.arm_ends(ground.positions):
+    first, *further = ground.pairs
+    if further:
         raise StructureError(
-            said(
-                "friction is drawn of mechanisms that one crank drives: leave [friction] out, or drive a crank"
-            ),
+            said("friction is drawn of mechanisms with one drive: leave [friction] out"),
             "effects.friction",
             head="friction",
         )
-    return Rub(ground.draft, ground.velocities, friction, ground.pin_speed, crank.link)
+    return Rub(ground.draft, (ground.positions, ground.velocities), friction, first)
 
 
 def _imaged(ground: Ground, force: Force) -> Force:
@@ -275,7 +273,10 @@ def _solve(
         hand_on(solved, acting, frame, figures.of)
         groups.append(solved)
     several = len(ground.pairs) > 1
-    place = Place(ground.draft, ground.positions, frame, order.balance, several, tried)
+    rough = order.friction is not None
+    place = Place(
+        ground.draft, ground.positions, frame, order.balance, several, tried, rubbing.slopes, rough
+    )
     driven = solve_drives(place, ground.pairs, figures.of, acting, groups)
     return _Pass(tuple(groups), driven, acting, rubbing)
 
@@ -304,7 +305,8 @@ def _settle(ground: Ground, passes: list[_Pass], kind: str) -> tuple[Mark, Mark,
     last, before, first = (done.driven[0].balance for done in reversed(passes[-3:]))
     open_ = draft.draw(still_open, f"Δ{letter}", last, before, first, unit=unit)
     balance = draft.draw(settled, letter, last, open_, unit=unit)
-    speed = ground.velocities.rates[ground.mechanism.drive.link]
+    link = ground.mechanism.drive.link
+    speed = ground.velocities.rates.get(link) or ground.velocities.speeds[link]
     without = passes[0].driven[0].balance
     share = draft.draw(efficiency, "η", without, balance, speed, unit="%")
     return balance, open_, share

@@ -196,7 +196,13 @@ class Spring:
 class Rubbed:
     """Coefficients of friction, radii of pins."""
 
-    f: float = key(w.COEFFICIENT, "the coefficient of every pair that is not named", 0.1, 0.0)
+    f: float = key(
+        w.COEFFICIENT,
+        "the coefficient of every pair that is not named; a rod's own in its cylinder is in the force that "
+        "drives it",
+        0.1,
+        0.0,
+    )
     pairs: Mapping[str, float] = key(
         Named(w.COEFFICIENT), "coefficients of pairs by their letter or guide", default={}
     )

@@ -84,10 +84,35 @@ def test_a_moment_balances_only_what_turns() -> None:
         forces(BOOM, OUT + STATIC + 'balance = "moment"\n', WEIGHT)
 
 
-def test_friction_is_drawn_of_what_a_crank_drives() -> None:
-    rough = "[effects]\ngravity = true\nfriction = true\n[friction]\nf = { N = 0.1 }\nradius = { N = 0.01 }\n"
-    with pytest.raises(TmmError, match="friction"):
-        forces(BOOM, OUT + rough + "[forces]\n", WEIGHT)
+ROUGH = "[effects]\ngravity = true\nfriction = true\n[friction]\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "drive", "loaded", "friction"),
+    [
+        (BOOM, OUT, WEIGHT, "f = 0.1\nradius = 0.02\n"),
+        (
+            SLIDER,
+            'speed = "0.5 m/s"\nfrom = "250 mm"\nto = "350 mm"\npositions = 4\n',
+            "",
+            "f = 0.1\nradius = 0.02\n",
+        ),
+    ],
+    ids=["rod", "slider"],
+)  # fmt: skip
+def test_friction_takes_more_of_what_drives(
+    text: str, drive: str, loaded: str, friction: str
+) -> None:
+    """Groups and lever agree, and the efficiency is what is done without friction to what is done with it."""
+    loads = TORQUE.replace("[1]", '"all"') if text is SLIDER else "[forces]\n"
+    smooth = forces(text, drive + "[effects]\ngravity = true\n" + loads, loaded)
+    rough = forces(text, drive + ROUGH + friction + "passes = 8\n" + loads, loaded)
+    own, due = (table["P_bal_forces"].value[0] for table in (rough, smooth))
+    np.testing.assert_allclose(rough["P_bal_lever"].value[0], own, rtol=1e-5)
+    pushed = due > 0.0
+    share = np.where(pushed, due / own, own / due)
+    assert ((share < 1.0) & (share > 0.5)).all()
+    np.testing.assert_allclose(rough["efficiency"].value[0], 100.0 * share, atol=0.006)
 
 
 def test_a_chapter_of_a_turning_crank_refuses_another_drive_in_one_sentence() -> None:
