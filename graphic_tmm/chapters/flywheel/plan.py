@@ -241,7 +241,9 @@ def _parts(
 def _of_cylinder(draft: Draft, machine: Machine, cylinder: Cylinder, constant: str) -> Mark:
     """Calculate the reduced moment of the gas of a cylinder."""
     velocities = machine.velocities
-    way = cylinder.outward if constant == "resisting" else -cylinder.outward
+    # of a piston that slides on a swinging cylinder the reading is that of the cylinder against it
+    outward = cylinder.outward if cylinder.swings is None else -cylinder.outward
+    way = outward if constant == "resisting" else -outward
     sign = draft.take(Number, "σ", way)
     pin = velocities.images.by_letter[machine.mechanism.drive.link][machine.pin]
     drawn = draft.uses(pin)[1]

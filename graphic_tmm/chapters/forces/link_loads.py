@@ -6,6 +6,7 @@ along it. Nothing is drawn of an effect that is not called for.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from operator import attrgetter
 
 from graphic_tmm.board import roles
@@ -16,6 +17,7 @@ from graphic_tmm.board.operations.statics import (
     inertia_force,
     inertia_force_along,
     offset,
+    reversed_,
     weight,
 )
 from graphic_tmm.chapters.forces import words as why
@@ -55,7 +57,8 @@ def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads
             raise error.inside(f"load {k}") from None
     _springs(ground, order, loads)
     for cylinder in gas.every if gas is not None else ():
-        loads.add(_gas(ground, cylinder))
+        for one in _gas(ground, cylinder):
+            loads.add(one)
     return loads
 
 
@@ -136,13 +139,23 @@ def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     return Force(letter, n, point, line, value, image)
 
 
-def _gas(ground: Ground, cylinder: Cylinder) -> Force:
-    """Draw the force of the gas on the piston: along its guide, from the cover towards the crank."""
-    letter, link = cylinder.indicator.order.point, cylinder.leg.link
+def _gas(ground: Ground, cylinder: Cylinder) -> Iterator[Force]:
+    """Draw the force of the gas on the piston, along its guide from the cover towards the crank.
+
+    A cylinder that swings is pushed as much the other way, at its pin.
+    """
+    draft, letter, link = ground.draft, cylinder.indicator.order.point, cylinder.leg.link
     point, image = point_of(ground, link, letter)
     sense = -1 if cylinder.outward > 0 else 1
-    name = letter_of("P", cylinder.tag)
-    line = ground.draft.draw(
+    name, value = letter_of("P", cylinder.tag), cylinder.indicator.force
+    line = draft.draw(
         parallel, f"({name})", point, cylinder.leg.line, sense=sense, why=why.GAS_LINE
     )
-    return Force(name, link, point, line, cylinder.indicator.force, image)
+    yield Force(name, link, point, line, value, image)
+    if cylinder.swings is not None:
+        own = cylinder.swings
+        pin, image = point_of(ground, own.link, own.letter)
+        back = f"P′_{{{cylinder.tag}}}" if cylinder.tag else "P′"
+        across = draft.draw(parallel, f"({back})", pin, line, sense=1, why=why.BOTTOM_LINE)
+        reverse = draft.draw(reversed_, back, value, unit="N")
+        yield Force(back, own.link, pin, across, reverse, image)

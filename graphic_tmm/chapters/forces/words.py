@@ -115,6 +115,9 @@ TURNING_LINE = said(
     "The direction of the load turns with the mechanism: it is taken from the plan of positions."
 )
 AGAINST_VELOCITY = said("A useful resistance acts along the velocity of its point, against it.")
+BOTTOM_LINE = said(
+    "The gas pushes the bottom of the cylinder as much as the piston, the other way."
+)
 GAS_LINE = said(
     "The gas presses on the piston along the cylinder, from the cover towards the crank."
 )

@@ -123,6 +123,13 @@ def _pushing(order: IndicatorTask, letter: str, scene: Scene, posed: Posed) -> I
     if not going:
         return
     inward = going if ((pivot - at) * going.conjugate()).real > 0.0 else -going
+    owner = mechanism.by_number[link.slides[0].on]
+    if owner is not mechanism.frame:
+        pin = next((k for k in owner.points if k in mechanism.frame.points), None)
+        if pin is None:
+            return
+        from_pin = at - posed.spot(pin, owner.number)[0]
+        inward = from_pin / abs(from_pin)
     tail = at - (LONG + OFF) * inward
     strokes = tuple(one._replace(part="load") for one in arrow(tail, at - OFF * inward, "main"))
     yield Acting(strokes, (Wanted(letter, tail, posed.size, 1.5, -inward),))

@@ -30,8 +30,15 @@ from graphic_tmm.board.values import Angle, Length, Number, Point, Reals
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.indicator import words as why
 from graphic_tmm.chapters.indicator.stretches import SLACK, Row, by_stretches, indexed
+from graphic_tmm.chapters.indicator.swinging import (
+    Swinging,
+    bottom_angle,
+    draw_length,
+    goes_from_bottom,
+    swinging_of,
+)
 from graphic_tmm.chapters.indicator.task import INDICATOR, TURN, VIEW, Gas, IndicatorTask, Wish
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, Positions
 from graphic_tmm.chapters.kinematics.dead_centres import (
     Slider,
     dead_centre,
@@ -246,7 +253,7 @@ class Cylinder:
     """A cylinder: its indicator diagram, the leg of its piston, the sense of the guide to its cover.
 
     ``shown_by``: the chapter with whose views its diagram stands. ``tag``: the point of its piston where there
-    are several; ``further``: the others.
+    are several; ``further``: the others. ``swings``: the leg by which it swings; None of one that stands.
     """
 
     indicator: Indicator
@@ -255,6 +262,7 @@ class Cylinder:
     shown_by: str = ""
     tag: str = ""
     further: tuple[Cylinder, ...] = ()
+    swings: PinLeg | None = None
 
     @property
     def every(self) -> tuple[Cylinder, ...]:
@@ -301,6 +309,9 @@ def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorTask, tag: str
     StructureError
         If it does not slide there, or pressures are missing.
     """
+    swings = swinging_of(machine.positions, machine.survey, order.point)
+    if swings is not None:
+        return _swinging(draft, machine, swings, order, tag)
     frame, point = machine.mechanism.frame.number, machine.positions.point(order.point)
     leg = sliding_leg(machine.positions, order.point, frame, INDICATOR)
     slider = slider_of(draft, machine.positions, leg, order.point)
@@ -315,7 +326,9 @@ def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorTask, tag: str
         draft.open(POSITIONS)
         start = draft.draw(at_zero, f"{order.point}_0", point, free=True)
     travel = draft.draw(measure, f"|s_{order.point}|", start, point)
-    row = _row(draft, machine, slider, order)
+    angles = _angles(draft, machine)
+    out = goes_inward(machine.survey, slider, angles)
+    row = _row(machine, order, angles, out, turned_at(machine.survey, slider, 1))
     indicator = draw_indicator(draft, travel, row, order, tag, length)
     return Cylinder(indicator, leg, slider.outward, tag=tag)
 
@@ -341,12 +354,29 @@ def _angles(draft: Draft, machine: Machine) -> Reals:
     return np.asarray(execute(draft.board.construction(), given, [phi])[phi][0])
 
 
-def _row(draft: Draft, machine: Machine, slider: Slider, order: IndicatorTask) -> Row:
-    """Return the positions, with the turn of the cycle and the stroke on which each of them stands."""
-    angles, in_turn = _angles(draft, machine), machine.count // machine.turns
-    count, sense = machine.count, np.sign(machine.mechanism.drive.speed)
-    out = goes_inward(machine.survey, slider, angles)
-    later = (turned_at(machine.survey, slider, 1) - angles[0]) * sense
+def _swinging(
+    draft: Draft, machine: Machine, of: Swinging, order: IndicatorTask, tag: str
+) -> Cylinder:
+    """Draw the diagram of a cylinder that swings."""
+    survey = machine.survey
+    draft.open(POSITIONS)
+    travel, stroke = draw_length(draft, survey, of, order.point)
+    angles = _angles(draft, machine)
+    out = goes_from_bottom(survey, of, order.point, angles)
+    row = _row(machine, order, angles, out, bottom_angle(survey, of, order.point))
+    indicator = draw_indicator(draft, travel, row, order, tag, stroke)
+    return Cylinder(indicator, of.leg, -1.0, tag=tag, swings=of.pin)
+
+
+def _row(
+    machine: Machine, order: IndicatorTask, angles: Reals, out: np.ndarray, begins: float
+) -> Row:
+    """Return the positions, with the turn of the cycle and the stroke on which each of them stands.
+
+    ``begins``: the crank's angle (degrees) at which the stroke from the cover does.
+    """
+    count, in_turn = machine.count, machine.count // machine.turns
+    later = (begins - angles[0]) * machine.mechanism.drive.sense
     first = round(later / TURN * in_turn, DIGITS) % in_turn
     passed = np.floor((machine.numbers - first) / in_turn + SLACK) - order.phase // TURN
     turns = tuple(int(turn) for turn in passed % machine.turns)

@@ -38,6 +38,12 @@ TRAVEL_ON_RAY = said(
 )
 STROKE = said("The stroke lies between both dead centres of the piston.")
 STROKE_ON_RAY = said("The stroke of the piston, as it was read between its dead centres.")
+SHORTEST = said("The cylinder is shortest where the crank lies towards its pin.")
+LONGEST = said("The cylinder is longest where the crank lies away from its pin.")
+LENGTHENED = said(
+    "From the bottom of the cylinder the piston has gone as far as the length has grown."
+)
+LENGTH_STROKE = said("The stroke is the change of the length between both of these places.")
 CLOSING = said("The end of the stroke on the ray belongs to the end of the base.")
 ALIKE = said("Parallels cut both lines in the same ratio: the base is divided as the stroke is.")
 PRESSURE = said("Over the place of the piston stands the pressure of this position, to scale.")
