@@ -33,7 +33,8 @@ _ZH = said("Zh", context="index: Zhukovsky")
 _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
     (r"([PM])_\{bl\}", r"\1_{%s}^{%s}", (_B, _ZH)),
     (r"μ_\{vl\}", "μ_{v}^{%s}", (_ZH,)),
-    (r"([PM])_\{?b\}?(?![a-z])", r"\1_{%s}", (_B,)),
+    (r"([PM])_\{b(\d+)\}", r"\1_{%s\2}", (_B,)),
+    (r"([PM])_\{?b\}?(?![a-z\d])", r"\1_{%s}", (_B,)),
     (r"(?<=[yh]_\{[PM])b(?=[}^])", "%s", (_B,)),
     (r"([PM]_\{|[yh]_\{(?:−?F)?[PM]|F_\{M|h_\{)i(?=\d)", r"\1%s", (_I,)),
     (r"(P_\{?|[yh]_\{P)in", r"\1%s", (said("in", context="index: inertia"),)),
@@ -71,8 +72,8 @@ _RULES = tuple((re.compile(pattern), put, words) for pattern, put, words in _WOR
 def symbol(name: str, language: str) -> str:
     """Return the name of a mark as mark-up in a language.
 
-    >>> symbol("P_b", "ru"), symbol("y_{Pi3}", "ru"), symbol("P_{bl}", "en"), symbol("v_A", "ru")
-    ('P_{ур}', 'y_{Pи3}', 'P_{b}^{Zh}', 'v_A')
+    >>> symbol("P_b", "ru"), symbol("y_{Pi3}", "ru"), symbol("P_{bl}", "en"), symbol("P_{b6}", "ru")
+    ('P_{ур}', 'y_{Pи3}', 'P_{b}^{Zh}', 'P_{ур6}')
     """
     for shape, put in _SHAPES:
         name = re.sub(shape, put, name)
