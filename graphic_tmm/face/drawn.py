@@ -303,7 +303,7 @@ class Drawn:
     def plot(
         self, plan: str, segments: Sequence[str] | None = None, *, ax: Axes | None = None
     ) -> list[Axes]:
-        """Draw a table as curves over the angle of the crank, by matplotlib.
+        """Draw a table as curves over the angle of the crank, or over what slides, by matplotlib.
 
         Parameters
         ----------

@@ -1,4 +1,4 @@
-"""A table as curves over the crank's angle, by matplotlib."""
+"""A table as curves over the coordinate of the drive, by matplotlib."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from graphic_tmm.errors import SheetError, needed
 from graphic_tmm.face.tables import Column, Table
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
+from graphic_tmm.mechanism.records import Sweep
 from graphic_tmm.readers.spread import QUANTILES
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ BAND = 0.25
 def plotted(
     table: Table, segments: Sequence[str] | None, axes: Axes | None, language: str
 ) -> list[Axes]:
-    """Draw columns of a table over the angle; each unit has axes of its own, see `Drawn.plot`."""
+    """Draw columns of a table over the drive's coordinate; each unit has axes of its own, see `Drawn.plot`."""
     chosen = [table[name] for name in (table.columns if segments is None else segments)]
     units = list(dict.fromkeys(one.unit for one in chosen))
     if axes is None:
@@ -49,8 +50,14 @@ def plotted(
         _curves(on, [one for one in chosen if one.unit == of], language)
         on.set_ylabel(unit(of, language))
     known = bool(chosen) and np.isfinite(_across(chosen[0])).all()
-    found[-1].set_xlabel(f"φ, {unit('°', language)}" if known else "")
+    found[-1].set_xlabel(_titled(chosen[0].sweep, language) if known else "")
     return found
+
+
+def _titled(sweep: Sweep, language: str) -> str:
+    """Return the name of a coordinate and its unit."""
+    name = sweep.name or sweep.letter
+    return f"{f'${_math(name)}$' if '_' in name else name}, {unit(sweep.unit, language)}"
 
 
 def _curves(axes: Any, columns: Sequence[Column], language: str) -> None:
@@ -88,12 +95,12 @@ def _math(name: str) -> str:
 
 
 def _across(column: Column) -> Reals:
-    """Return how far the crank has gone at the positions since the first, from where that was, degrees.
+    """Return how far the drive has gone at the positions: of a crank since the first, from where that was.
 
     Positions of a row go one way; one outside the row (an extreme one) stands where its angle is.
     """
-    angles = column.angles
-    if not np.isfinite(angles).all() or len(angles) < 2:
+    angles = column.coordinates
+    if not column.sweep.turns or not np.isfinite(angles).all() or len(angles) < 2:
         return angles
     way = np.sign((angles[1] - angles[0] + 180.0) % 360.0 - 180.0) or 1.0
     gone = (way * (angles - angles[0])) % 360.0

@@ -12,7 +12,9 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import needed
 from graphic_tmm.face.html import grid
 from graphic_tmm.face.refusals import absent
+from graphic_tmm.mechanism.records import TURN, Sweep
 from graphic_tmm.readers.columns import renamed
+from graphic_tmm.readers.writing import ANGLE, LENGTH
 
 
 class Quantity(float):
@@ -67,9 +69,10 @@ class Column:
     """A segment of a plan, or a rate, along the positions.
 
     ``mm`` on the sheet and ``value`` in its ``unit`` (SI), both (trial, position): NaN where nothing is
-    measured or nothing could be drawn. ``positions``: their numbers, as on the sheet; ``angles``: of the crank,
-    or of what else turns, degrees, (position,), NaN where there are none. ``name``: what people call it;
-    ``quantity``: the letter of what the segment stands for, "" if it has none of its own.
+    measured or nothing could be drawn. ``positions``: their numbers, as on the sheet; ``coordinates``: of
+    the drive, (position,), NaN where there are none: angles, degrees, of the crank, or of what else turns;
+    lengths, m, of what slides, and ``sweep`` tells which. ``name``: what people call it; ``quantity``: the
+    letter of what the segment stands for, "" if it has none of its own.
 
     Examples
     --------
@@ -85,8 +88,19 @@ class Column:
     mm: Reals
     value: Reals
     positions: tuple[str, ...]
-    angles: Reals
+    coordinates: Reals
     quantity: str = ""
+    sweep: Sweep = TURN
+
+    @property
+    def angles(self) -> Reals:
+        """The angles of the drive, degrees, (position,); NaN where it slides."""
+        return self.coordinates if self.sweep.turns else np.full(len(self), np.nan)
+
+    @property
+    def lengths(self) -> Reals:
+        """The coordinates of a drive that slides, m, (position,); NaN where it turns."""
+        return np.full(len(self), np.nan) if self.sweep.turns else self.coordinates
 
     def at(self, position: str | int) -> Quantity:
         """Return the quantity in one position.
@@ -154,6 +168,11 @@ class Table(Mapping[str, Column]):
         return max(self._columns, key=len).angles
 
     @property
+    def lengths(self) -> Reals:
+        """How far what drives has slid at the positions, m, (position,); NaN where the drive turns."""
+        return max(self._columns, key=len).lengths
+
+    @property
     def trials(self) -> int:
         """The number of drawings in it."""
         return len(self._columns[0].value)
@@ -192,8 +211,9 @@ class Table(Mapping[str, Column]):
         Returns
         -------
         list of dict
-            plan, position, angle_deg, segment, mm, value, unit; of several drawings also trial, from 0. What is
-            not there is None; where neither mm nor value is there is no record.
+            plan, position, angle_deg (length_m where the drive slides), segment, mm, value, unit; of several
+            drawings also trial, from 0. What is not there is None; where neither mm nor value is there is no
+            record.
         """
         long = self._long()
         names, rows = list(long), zip(*(_listed(one) for one in long.values()), strict=True)
@@ -217,14 +237,14 @@ class Table(Mapping[str, Column]):
     def _long(self) -> dict[str, Any]:
         """Return the columns of a long table, each (row,)."""
         parts = [_stacked(one) for one in self._columns]
-        trial, position, angle, mm, value = (
-            np.concatenate(part) for part in zip(*parts, strict=True)
-        )
+        trial, position, at, mm, value = (np.concatenate(part) for part in zip(*parts, strict=True))
         counts = [len(part[0]) for part in parts]
         segments = np.repeat([one.segment for one in self._columns], counts)
         units = np.repeat([one.unit for one in self._columns], counts)
         plan = np.full(len(trial), self.plan)
-        told = {"plan": plan, "trial": trial, "position": position, "angle_deg": angle}
+        turns = max(self._columns, key=len).sweep.turns
+        told = {"plan": plan, "trial": trial, "position": position}
+        told |= {str(ANGLE if turns else LENGTH): at}
         told |= {"segment": segments, "mm": mm, "value": value, "unit": units}
         return {name: one for name, one in told.items() if name != "trial" or self.trials > 1}
 
@@ -240,11 +260,11 @@ class Table(Mapping[str, Column]):
 
 
 def _stacked(column: Column) -> tuple[Any, ...]:
-    """Return trials, positions, angles, mm and values of a column, each (row,), where any figure is there."""
+    """Return trials, positions, coordinates, mm and values of a column, (row,), where any figure is there."""
     trial, place = np.nonzero(np.isfinite(column.mm) | np.isfinite(column.value))
     names = np.array(column.positions, dtype=object)
     mm, value = column.mm[trial, place], column.value[trial, place]
-    return trial, names[place], column.angles[place], mm, value
+    return trial, names[place], column.coordinates[place], mm, value
 
 
 def _listed(rows: Any) -> list[Any]:

@@ -20,8 +20,9 @@ from graphic_tmm.files import write
 from graphic_tmm.fitting.composition import Composition, composition_file, read_composition
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.symbols import plain
+from graphic_tmm.mechanism.records import TURN, Sweep
 from graphic_tmm.readers.columns import Column, Positions
-from graphic_tmm.readers.table import facts_of, positions_of, trial_figures
+from graphic_tmm.readers.table import facts_of, positions_of, sweep_of, trial_figures
 from graphic_tmm.readers.text import column_name, table_rows
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
@@ -81,7 +82,8 @@ class Work:
             for at, some in _by_positions(chosen, usual)
         )
         title = f"{self.scene.title}. {captions(language).get(plan, plan)}"
-        found = tuple(_column(one, usual, self.trials, language) for one in chosen)
+        sweep = sweep_of(self.drawn_scene) or TURN
+        found = tuple(_column(one, usual, sweep, self.trials, language) for one in chosen)
         return tables.Table(plan, plain(title), found, rows)
 
     @cached_property
@@ -150,11 +152,14 @@ def _by_positions(
     return list(found.items())
 
 
-def _column(one: Column, usual: Positions, trials: int, language: str) -> tables.Column:
-    at = one.at or usual
-    angles = np.array([np.nan if angle is None else angle for _, angle in at], dtype=float)
+def _column(
+    one: Column, usual: Positions, sweep: Sweep, trials: int, language: str
+) -> tables.Column:
+    at, sweep = (one.at, TURN) if one.at else (usual, sweep)
+    coordinates = np.array([np.nan if value is None else value for _, value in at], dtype=float)
     mm, value = (np.broadcast_to(rows, (trials, rows.shape[1])) for rows in (one.mm, one.value))
     name = plain(column_name(one, language))
     positions = tuple(number for number, _ in at)
     stands_for = plain(one.quantity)
-    return tables.Column(one.segment, name, one.unit, mm, value, positions, angles, stands_for)
+    figures = (mm, value, positions, coordinates, stands_for, sweep)
+    return tables.Column(one.segment, name, one.unit, *figures)

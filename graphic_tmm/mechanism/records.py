@@ -92,13 +92,17 @@ class Link:
 
 @dataclass(frozen=True)
 class Sweep:
-    """What the coordinate of a drive goes through: its letter, unit and bounds; ``closed``: a whole turn is."""
+    """What the coordinate of a drive goes through: its letter, unit and bounds; ``closed``: a whole turn is.
+
+    ``name``: what it is called in tables, if that says more than its letter.
+    """
 
     letter: str
     unit: str
     low: float
     high: float
     closed: bool
+    name: str = ""
 
     @property
     def turns(self) -> bool:

@@ -24,7 +24,7 @@ from graphic_tmm.scene.chapter import MECHANISM, Answer
 Row = list[float | None]
 """The figures of one drawing along the positions; None where there is none."""
 Positions = tuple[tuple[str, float | None], ...]
-"""Positions by their numbers and the angles of what turns, degrees."""
+"""Positions by their numbers and the coordinates of the drive, degrees or m."""
 
 
 @dataclass(frozen=True, eq=False)

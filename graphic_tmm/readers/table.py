@@ -15,6 +15,7 @@ from graphic_tmm.drawn import Drawn, DrawnScene, Results, hand_of, single
 from graphic_tmm.fitting.scales import scale_keys
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.units import unit_name
+from graphic_tmm.mechanism.records import Sweep
 from graphic_tmm.readers.columns import Column, Positions, Tabled
 from graphic_tmm.readers.position_count import Finer, finer
 from graphic_tmm.readers.spread import ATTEMPTS, Spread
@@ -74,10 +75,10 @@ def table(
         spread = _spread(made, found, numbers, trials)
         found, numbers = list(spread.columns()), spread.results()
     told = single(numbers)
-    positions = positions_of(made)
+    positions, sweep = positions_of(made), sweep_of(made)
     if form == "csv":
         division = None if made.exact else made.division
-        return as_csv(positions, found, division, comma=comma, language=scene.language)
+        return as_csv(positions, found, division, comma=comma, language=scene.language, sweep=sweep)
     if form == "text":
         decimals = 3 if made.exact else decimals_of(made.division)
         tables = text_tables(found, positions, scene.language, scene.title, decimals, width)
@@ -89,7 +90,7 @@ def table(
             results[name] = {"value": value, "unit": of, **_divided(name, fine.get(name))}
     if scene.left_out:
         results["left_out"] = {name: str(says) for name, says in scene.left_out.items()}
-    return as_json(scene_name(scene.source), scales_of(made), positions, found, results)
+    return as_json(scene_name(scene.source), scales_of(made), positions, found, results, sweep)
 
 
 def fine_results(made: DrawnScene) -> dict[str, Finer]:
@@ -163,13 +164,22 @@ def _plain_key(view: str) -> str:
 
 
 def positions_of(made: DrawnScene) -> Positions:
-    """Return the positions of a scene: those of the first board that turns; none of wheels alone."""
+    """Return the positions of a scene: those of the first board that moves; none of wheels alone."""
+    drawn = _first_moving(made)
+    return () if drawn is None else tuple(zip(drawn.names, drawn.project.coordinates, strict=True))
+
+
+def sweep_of(made: DrawnScene) -> Sweep | None:
+    """Return what the drive of these positions goes through; None where no drive of a mechanism does."""
+    drawn = _first_moving(made)
+    return None if drawn is None else drawn.project.sweep
+
+
+def _first_moving(made: DrawnScene) -> Drawn | None:
     for drawn in made.boards:
-        if drawn.board == MECHANISM or any(
-            angle is not None for angle in drawn.project.coordinates
-        ):
-            return tuple(zip(drawn.names, drawn.project.coordinates, strict=True))
-    return ()
+        if drawn.board == MECHANISM or any(at is not None for at in drawn.project.coordinates):
+            return drawn
+    return None
 
 
 def facts_of(made: DrawnScene) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.command import invoke, printed, tabled
+from support.drives import BOOM, scene
 from support.each import each
 from support.gallery import EVERYDAY, SHEETS
 
@@ -261,3 +262,13 @@ def test_the_composition_beside_a_file_is_used(tmp_path: Path) -> None:
     by_command = tabled(tmp_path)
     assert told(tmm.draw(tmp_path)) == by_command["columns"]
     assert by_command["scales"] != tabled(NAME)["scales"]
+
+
+def test_a_drive_that_slides_has_lengths() -> None:
+    table = tmm.draw(scene(BOOM)).table("velocities")
+    assert table.lengths == pytest.approx(np.linspace(0.6, 0.85, 6))
+    assert np.isnan(table.angles).all()
+    first = table.to_records()[0]
+    assert first["length_m"] == pytest.approx(0.6)
+    assert "angle_deg" not in first
+    assert np.isnan(tmm.draw("crank-rocker").table("velocities").lengths).all()

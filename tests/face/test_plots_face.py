@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
+from support.drives import BOOM, scene
 
 import graphic_tmm as tmm
 
@@ -79,3 +80,11 @@ def test_a_package_that_is_missing_is_named(monkeypatch: pytest.MonkeyPatch) -> 
     monkeypatch.setitem(sys.modules, "pandas", None)
     with pytest.raises(tmm.MissingError, match="pip install pandas"):
         DRAWN.table("velocities").to_pandas()
+
+
+def test_what_slides_is_drawn_over_its_lengths() -> None:
+    drawn = tmm.draw(scene(BOOM))
+    (axes,) = drawn.plot("velocities", ["pn"])
+    (line,) = axes.get_lines()
+    assert line.get_xdata() == pytest.approx(np.linspace(0.6, 0.85, 6))
+    assert axes.get_xlabel() == "$\\mathdefault{l_{GN}}$, m"

@@ -39,7 +39,15 @@ class Cylinder(DrivenPair):
     @property
     def sweep(self) -> Sweep:
         """From nothing to as far as all other links together reach."""
-        return Sweep("l", "m", 0.0, reach(self.mechanism, without=self._ends), False)
+        most = reach(self.mechanism, without=self._ends)
+        return Sweep("l", "m", 0.0, most, False, self._name)
+
+    @property
+    def _name(self) -> str:
+        """What its length is called, l_GN, where no other link hangs on the cylinder."""
+        number = self._ends[0]
+        pivots = [k for k in self.mechanism.by_number[number].points if self._joined(k, number)]
+        return f"l_{pivots[0]}{self.driven.pin}" if len(pivots) == 1 else "l"
 
     def ask(self, draft: Draft) -> Mark:
         """Take how far apart both pins are."""
