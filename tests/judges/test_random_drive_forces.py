@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from judges.test_random_drives import POSITIONS, SOME, WAYS, judged, random_of
+from support.free_bodies import Judge
 from support.free_forces import statics
 
 import graphic_tmm
@@ -27,7 +28,7 @@ def test_forces_oftener(kind: str, block: int) -> None:
 
 @pytest.mark.parametrize("kind", SOME)
 def test_forces_along_a_row(kind: str) -> None:
-    """The table of a sheet has at every place of its row what balances the first drive there."""
+    """The table of a sheet has at every place of its row what balances each drive there."""
     found, scene = random_of(kind, 4, forces=True)
     scene["drive"] = _all_accelerated(scene["drive"])
     forward = found.judge.drives[0].rate > 0
@@ -37,9 +38,40 @@ def test_forces_along_a_row(kind: str) -> None:
     for k, way in enumerate(np.linspace(first, last, POSITIONS)):
         due = statics(found.judge, found.solved(way), math.degrees(abs(way - first)))
         moment = found.judge.words.balance == "moment"
-        arm = found.judge.size if moment else 1.0
+        letter, arm = ("M", found.judge.size) if moment else ("P", 1.0)
+        further = found.judge.words.drives[1:]
+        names = {f"{letter}_bal_{name}": due.drives[0] for name in ("forces", "lever")}
+        names |= {
+            f"{letter}_bal_{d['link']}": p for d, p in zip(further, due.drives[1:], strict=True)
+        }
+        for name, balance in names.items():
+            value = table[name].value[0, k]
+            assert value == pytest.approx(balance, abs=1e-8 * due.largest * arm), (k, name)
+
+
+@pytest.mark.parametrize("kind", ["slider", "rod", "open crank"])
+@pytest.mark.parametrize(
+    "seed", [5, *(pytest.param(k, marks=pytest.mark.slow) for k in range(6, 26))]
+)
+def test_what_stands(kind: str, seed: int) -> None:
+    """At speed zero only its own acceleration moves it: loads, weights, ε; nothing has a power."""
+    found, scene = random_of(kind, seed, forces=True)
+    scene["drive"] = {**scene["drive"], "speed": 0, "accelerations": "all"}
+    turns = [load for load in scene.get("load", ()) if "against" not in load.get("direction", "")]
+    scene["load"] = [x for x in turns if "direction" in x or "moment" in x]
+    judge, gained = Judge(scene), scene["drive"].get("acceleration")
+    table = graphic_tmm.draw(graphic_tmm.read(scene), exact=True).table("forces")
+    forward = found.judge.drives[0].rate > 0
+    ends = found.walked[0][0], found.walked[-1][0]
+    first, last = ends if forward else ends[::-1]
+    for k, way in enumerate(np.linspace(first, last, POSITIONS)):
+        state = judge.solve(found.coordinates(way), found.solved(way).poses)
+        assert gained or not any(state.epsilon.values())
+        due = statics(judge, state, math.degrees(abs(way - first)))
+        moment = judge.words.balance == "moment"
+        letter, arm = ("M", judge.size) if moment else ("P", 1.0)
         for name in ("forces", "lever"):
-            value = table[f"{'M' if moment else 'P'}_bal_{name}"].value[0, k]
+            value = table[f"{letter}_bal_{name}"].value[0, k]
             assert value == pytest.approx(due.drives[0], abs=1e-8 * due.largest * arm), (k, name)
 
 

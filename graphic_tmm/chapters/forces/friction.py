@@ -20,7 +20,7 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Reaction
 from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.forces.statics import Slope
+from graphic_tmm.chapters.forces.statics import Slope, links_of
 from graphic_tmm.chapters.forces.task import Friction
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, Positions, dyads
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, reach
@@ -73,9 +73,9 @@ def joints(closings: tuple[Closing, ...], pairs: Iterable[DrivenPair]) -> tuple[
     found = [Joint(one.pair, one.pair.links, None, one) for one in there]
     for closing in dyads(closings, "forces"):
         for leg, own in zip(closing.legs, closing.group.legs, strict=True):
-            found.append(Joint(own.pair, (leg.link, leg.body), closing))
-        first, second = closing.legs
-        found.append(Joint(closing.group.inner, (second.link, first.link), closing))
+            found.append(Joint(own.pair, (links_of(leg)[0], leg.body), closing))
+        inside = links_of(closing.legs[1])[-1], links_of(closing.legs[0])[-1]
+        found.append(Joint(closing.group.inner, inside, closing))
     return tuple(found)
 
 

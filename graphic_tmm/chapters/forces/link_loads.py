@@ -7,6 +7,7 @@ along it. Nothing is drawn of an effect that is not called for.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from operator import attrgetter
 
 from graphic_tmm.board import roles
@@ -64,8 +65,13 @@ def draw_loads(ground: Ground, order: ForcesTask, gas: Cylinder | None) -> Loads
 
 def _springs(ground: Ground, order: ForcesTask, loads: Loads) -> None:
     for k, index in enumerate(numbers(order.springs)):
+        spring = order.springs[k]
+        if ground.velocities.possible:  # its ends stand: a damper bears nothing
+            spring = replace(spring, damping=None)
+        if spring.rate is None and spring.damping is None and not spring.force:
+            continue
         try:
-            sprung, pulls = draw_spring(ground, order.springs[k], index)
+            sprung, pulls = draw_spring(ground, spring, index)
         except StructureError as error:
             raise error.inside(f"spring {k + 1}") from None
         loads.springs.append(sprung)

@@ -61,7 +61,7 @@ def open_row(scene: Scene, steps: Reals) -> Reals | None:
     ``steps``: how far the drive comes from the first position to each, with its sign.
     """
     row, mechanism = scene.row, scene.mechanism
-    slides = mechanism is not None and mechanism.drive.slides
+    slides = mechanism is not None and (mechanism.drive.slides or mechanism.drive.rack > 0.0)
     if row.ends is None and not row.places and not slides:
         return None
     return np.abs(steps[: row.count])

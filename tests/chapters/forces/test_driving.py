@@ -50,6 +50,17 @@ def test_what_stands_is_held_as_in_slow_motion(text: str, slow: str, stands: str
         np.testing.assert_allclose(own[name].value, due[name].value, rtol=1e-9)
 
 
+def test_a_damper_bears_nothing_where_its_ends_stand() -> None:
+    stands = "speed = 0\npositions = 4\n" + TORQUE
+    damper = '[[spring]]\nbetween = ["A", "C"]\ndamping = "80 N*s/m"\n'
+    spring = damper + 'rate = "2 kN/m"\nfree = "100 mm"\n'
+    alone = spring.replace('damping = "80 N*s/m"\n', "")
+    for own, due in ((damper, ""), (spring, alone)):
+        found, wanted = (forces(ROCKER, stands + told) for told in (own, due))
+        for name in ("P_bal_forces", "P_bal_lever"):
+            np.testing.assert_array_equal(found[name].value, wanted[name].value)
+
+
 def test_of_what_stands_a_starting_drive_asks_for_its_own_acceleration_alone() -> None:
     """At rest a point gains only ε·l: no normal acceleration, none of Coriolis."""
     starts = 'speed = 0\nacceleration = "3 rad/s^2"\npositions = 4\naccelerations = "all"\n'
