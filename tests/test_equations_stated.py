@@ -21,7 +21,6 @@ from support.stated import Equations, Stated, letters_of
 from graphic_tmm.chapters.forces.ink_balances import Writer, driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.views import EXACTLY
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.fitting.auto import formatted
 from graphic_tmm.fitting.composition import Composition
@@ -93,15 +92,14 @@ def of_sheets(name: str, language: str) -> Iterator[Equations]:
     """The equations beside groups and lever as they are lettered, position by position."""
     work = spoken(name, language).mechanism
     assert work is not None
-    made_, plans = FORCES_PLAN.on(work), KINEMATICS_PLAN.on(work)
-    crank = plans.structure.first.link
-    pivot = plans.positions.bodies[crank].marks[plans.structure.origin]
+    made_ = FORCES_PLAN.on(work)
     decimals = EXACTLY if work.hand.ruler is None else decimals_of(work.hand.ruler)
     for place in (k for k in made_.places if k not in work.undrawn):
         writer = Writer(
             Seen(work.construction, work.reading, (), [place]), place, language, decimals
         )
-        rows = [*driver_rows(writer, made_, pivot, crank), *lever_rows(writer, made_)]
+        rows = [row for one in made_.driven for row in driver_rows(writer, made_, one)]
+        rows += lever_rows(writer, made_)
         for solved in made_.groups:
             rows += group_rows(writer, made_, solved)
         found = Equations()

@@ -20,7 +20,6 @@ MARKS = {"mark", "it", "point", "pole", "image", "start", "end", "length", "line
 ALLOWED = {
     # a point of a scene is known by its letter there: this one is not the letter of a mark
     "chapters/engine/plan.py: closing.letter == order.point",
-    "chapters/forces/lever.py: velocities.images.by_letter[leg.link][leg.letter]",
     "chapters/kinematics/motion.py: closing.letter in body.link.points",
     "chapters/kinematics/motion.py: known[leg.letter]",
     "chapters/kinematics/motion.py: known[closing.letter]",

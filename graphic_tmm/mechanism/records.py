@@ -130,7 +130,8 @@ class Drive:
     A link that turns: rad/s (counter-clockwise positive) and rad/s². One that ``slides``: m/s along its guide,
     or out of its cylinder, and m/s². ``start``: of a drive besides the first, its coordinate (degrees or m) in
     the zero position. ``rack``: the pitch radius (m) of the wheel on its link, where a rack turns that: the
-    coordinate is how far the rack has come then, and its rates are the rack's.
+    coordinate is how far the rack has come then, and its rates are the rack's. ``rates``, ``gains``: the same
+    in each position, where they change; then ``speed`` and ``acceleration`` are the largest.
     """
 
     link: int
@@ -139,6 +140,8 @@ class Drive:
     slides: bool = False
     start: float = 0.0
     rack: float = 0.0
+    rates: tuple[float, ...] = ()
+    gains: tuple[float, ...] = ()
 
     @property
     def sense(self) -> int:

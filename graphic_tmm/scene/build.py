@@ -130,8 +130,19 @@ def _drive(
     elif (ends := _ends(drive)) and ends[-1] < ends[0]:
         sign = -1.0
     rack = drive.rack if isinstance(drive, m.Drive) and drive.rack is not None else 0.0
-    rates = sign * drive.speed, sign * drive.acceleration
-    return Drive(drive.link, *rates, slides and not rack, float(start), rack)
+    rates, gains = (
+        tuple(sign * one for one in m.as_row(row)) for row in (drive.speed, drive.acceleration)
+    )
+    return Drive(
+        drive.link,
+        max(rates, key=abs),
+        max(gains, key=abs),
+        slides and not rack,
+        float(start),
+        rack,
+        rates if len(rates) > 1 else (),
+        gains if len(gains) > 1 else (),
+    )
 
 
 def _ends(drive: m.Drive) -> tuple[float, ...]:

@@ -216,7 +216,9 @@ def _motion(path: Path, drive: Drive | FurtherDrive, parts: Parts) -> Iterator[F
     racked = isinstance(drive, Drive) and drive.rack is not None
     if flaw := _wrong_speed(drive, link, parts.frame, sliding=sliding, racked=racked):
         yield Flaw((*path, "speed"), flaw)
-    rest: dict[str, tuple[object, ...]] = {"acceleration": (drive.acceleration,)}
+    rest: dict[str, tuple[object, ...]] = {"acceleration": mechanism.as_row(drive.acceleration)}
+    if isinstance(drive, Drive):
+        yield from _listed(path, drive)
     if isinstance(drive, FurtherDrive):
         rest["at"] = (drive.at,)
     else:
@@ -238,7 +240,7 @@ def _wrong_speed(
 ) -> str:
     """Return what is wrong with a speed of what turns, or slides, "" if nothing is."""
     if racked:
-        slides = isinstance(drive.speed, Metres | Bare)
+        slides = all(isinstance(one, Metres | Bare) for one in mechanism.as_row(drive.speed))
         return "" if slides else said('a rack slides: write its speed, "0.2 m/s"')
     if sliding and not link.pairs:
         return said(
@@ -253,6 +255,22 @@ def _wrong_speed(
             number=link.number,
         )
     return ""
+
+
+def _listed(path: Path, drive: Drive) -> Iterator[Flaw]:
+    """Speeds or accelerations listed that are not one for each position."""
+    rows = {"speed": drive.speed, "acceleration": drive.acceleration}
+    for name, row in rows.items():
+        if isinstance(row, tuple) and len(row) != drive.count:
+            says = said(
+                "{n} are listed for {count} positions: write one for each",
+                n=len(row),
+                count=drive.count,
+            )
+            yield Flaw((*path, name), says)
+        elif isinstance(row, tuple) and drive.extra:
+            says = said("a list tells nothing of positions beside the row: leave extra out")
+            yield Flaw((*path, "extra"), says)
 
 
 def _ends(drive: Drive) -> Iterator[Flaw]:

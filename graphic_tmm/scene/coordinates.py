@@ -36,6 +36,21 @@ def _coordinates(value: object, names: Names) -> tuple[float, ...]:
     return tuple(sliding(item, "length", "angle") for item in value)
 
 
+def _speeds(value: object, names: Names) -> tuple[float, ...]:
+    if not isinstance(value, list) or not value:
+        remedy = said('a list of speeds is wanted, one for each position, ["0 rpm", "60 rpm"]')
+        raise ValueError(stands(value, remedy))
+    return tuple(_speed(item, names) for item in value)
+
+
+def _gains(value: object, names: Names) -> tuple[float, ...]:
+    if not isinstance(value, list) or not value:
+        remedy = said("a list of accelerations is wanted, one for each position")
+        raise ValueError(stands(value, remedy))
+    return tuple(sliding(item, "acceleration", "angular acceleration") for item in value)
+
+
+SPEEDS, GAINS = Kind(_speeds, ROW), Kind(_gains, ROW)
 SPEED = Kind(_speed, quantity_schema("angular speed"), unit="angular speed")
 GAIN = Kind(
     lambda value, names: sliding(value, "acceleration", "angular acceleration"),

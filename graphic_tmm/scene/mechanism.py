@@ -189,16 +189,16 @@ class Drive:
     """The driving link, its motion, and the row of positions."""
 
     link: int = key(v.LINK_NUMBER, "the number of the driving link", 1)
-    speed: float = key(
-        c.SPEED,
+    speed: float | tuple[float, ...] = key(
+        ByShape(list, c.SPEEDS, c.SPEED),
         "its angular speed, positive; of what slides, on the frame or out of its cylinder, its speed, "
-        '"0.05 m/s"; 0 where it stands',
+        '"0.05 m/s"; 0 where it stands; or a list, one for each position',
         "380 rpm",
     )
-    acceleration: float = key(
-        c.GAIN,
+    acceleration: float | tuple[float, ...] = key(
+        ByShape(list, c.GAINS, c.GAIN),
         "its angular acceleration in the sense of turning: positive when it speeds up, negative when it slows; "
-        "of what slides its acceleration",
+        "of what slides its acceleration; or a list, one for each position",
         "20 rad/s^2",
         0.0,
     )
@@ -254,10 +254,16 @@ class FurtherDrive:
     at: float = key(c.COORDINATE, "where it stands in the zero position", "240 deg", 0.0)
 
 
+def as_row(value: float | tuple[float, ...]) -> tuple[float, ...]:
+    """Return one number, or one for each position, as a row."""
+    return value if isinstance(value, tuple) else (value,)
+
+
 def slides(drive: Drive | FurtherDrive, link: Link | None, frame: Frame) -> bool:
     """Whether a drive slides: its speed says so; of a bare number, its link turns about nothing fixed."""
-    if not isinstance(drive.speed, c.Bare) or link is None:
-        return isinstance(drive.speed, c.Metres)
+    speed = as_row(drive.speed)[0]
+    if not isinstance(speed, c.Bare) or link is None:
+        return isinstance(speed, c.Metres)
     return bool(link.pairs) and not frame.points.keys() & link.points.keys()
 
 

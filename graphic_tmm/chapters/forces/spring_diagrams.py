@@ -8,10 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.forces.ink_springs import draw_ink, letter_of, middle
 from graphic_tmm.chapters.forces.load_diagrams import At, Diagram, Part, draw_load, mu_l
 from graphic_tmm.chapters.forces.loads import Sprung
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
+from graphic_tmm.chapters.forces.spring_signs import draw_ink, letter_of, middle
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
 from graphic_tmm.chapters.forces.words import SPRING
 from graphic_tmm.chapters.kinematics.along import AlongGuide

@@ -9,9 +9,9 @@ from dataclasses import replace
 
 from graphic_tmm.chapters.forces.directions import all_letters, owner_of, two_letters
 from graphic_tmm.chapters.forces.given import given, stated, wanted_positions
-from graphic_tmm.chapters.forces.ink_springs import draw_ink, letter_of, middle
 from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import letters, varies, with_opposites
+from graphic_tmm.chapters.forces.spring_signs import draw_ink, letter_of, middle
 from graphic_tmm.chapters.forces.springs import ends_of, numbers
 from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load, Spring, Travel
 from graphic_tmm.chapters.forces.travel import begins_at_zero

@@ -132,6 +132,12 @@ def record(bench: Bench) -> KinematicPlans:
     assert mechanism is not None
     structure = dissect(mechanism)
     _refuse_no_stroke(mechanism, row)
+    if mechanism.drive.rates and scene.scales.mu_v_is_mu_l_omega:
+        raise StructureError(
+            said("μ_v = μ_l·ω₁ holds for one ω₁; the speed is listed by positions: write mu_v"),
+            "scales.mu_v",
+            head="scales",
+        )
     tried = survey(mechanism, structure, zero_of(row))
     if turns > 1 and tried.returning_late:
         raise StructureError(

@@ -108,6 +108,7 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
         If the side of a group that has two assemblies is missing, speaks of other letters than the
         group's outer pivots, or is given twice and not alike.
     """
+    mechanism, structure = _steady(mechanism, structure)
     _refuse_missing_sides(mechanism, structure)
     _refuse_strange_sides(mechanism, structure)
     draft = Draft()
@@ -131,6 +132,16 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
     return Survey(
         mechanism, structure, draft.board.construction(), given, positions, velocities, axes, zero
     )
+
+
+def _steady(mechanism: Mechanism, structure: Structure) -> tuple[Mechanism, Structure]:
+    """Return a mechanism whose first drive goes evenly, whatever it does in the positions of its row."""
+    if not mechanism.drive.rates and not mechanism.drive.gains:
+        return mechanism, structure
+    first, *others = structure.driven
+    drive = replace(mechanism.drive, rates=(), gains=())
+    even = replace(mechanism, drive=drive)
+    return even, structure._replace(driven=(first._replace(drive=drive), *others))
 
 
 def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:

@@ -77,14 +77,39 @@ def between(drawn: Drawn, turn: Turn) -> Between:
     """Return how far the drive has gone, that no angle is an extra one, on which side each group stands."""
     made, log = KINEMATICS_PLAN.on(drawn), drawn.construction
     if turn.angles is not None:
-        return {made.positions.row[0]: turn.angles} | standing(made, turn.angles)
+        there = {made.positions.row[0]: turn.angles} | standing(made, turn.angles)
+        return there | _changing(drawn, made, turn)
     found: dict[Mark, object] = {
         mark: turn.turned[None, :] for mark in log.given if mark.role == roles.ROW
     }
     none = np.zeros((1, turn.turned.size))
     found |= {step.uses[2]: none for step in log.steps if step.op is stand}
     angles = float(drawn.numbers.drawn[made.positions.row[0]][0, 0]) + turn.turned[None, :]
-    return found | standing(made, angles, carried=True)
+    return found | standing(made, angles, carried=True) | _changing(drawn, made, turn)
+
+
+def _changing(drawn: Drawn, made: KinematicPlans, turn: Turn) -> dict[Mark, object]:
+    """Return what is given of a drive whose rates change, between positions in proportion."""
+    drive = made.mechanism.drive
+    if not drive.rates and not drive.gains:
+        return {}
+    own = np.ravel(drawn.numbers.drawn[made.positions.row[0]])[: made.count]
+    period = made.tried.sweep.high if made.closed else None
+    gone = np.abs(own - own[0])
+    at = np.abs(turn.turned) if period is None else (drive.sense * turn.turned) % period
+    rows = {mark: np.ravel(np.asarray(drawn.given.get(mark))) for mark in _rated(made)}
+    return {
+        mark: np.interp(at, gone, row, period=period)[None, :]
+        for mark, row in rows.items()
+        if row.size == made.count
+    }
+
+
+def _rated(made: KinematicPlans) -> set[Mark]:
+    """Return the marks of plans of vectors that are given of the first drive."""
+    link, plans = made.mechanism.drive.link, (made.velocities, made.accelerations)
+    there = [plan for plan in plans if plan is not None]
+    return {row[link] for plan in there for row in (plan.speeds, plan.rates) if link in row}
 
 
 def moving(drawn: Drawn) -> Iterator[Moving]:

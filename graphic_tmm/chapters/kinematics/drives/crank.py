@@ -115,15 +115,15 @@ class Crank(DrivenPair):
 
     def turning(self, draft: Draft) -> Mark:
         """Take how fast it turns, without its sign."""
-        return draft.take(Number, f"ω_{self.link}", abs(self.speed), "1/s")
+        return draft.take(Number, f"ω_{self.link}", self.rates(signed=False), "1/s")
 
     def turning_back(self, draft: Draft) -> Mark:
         """Take how fast it turns clockwise, with its sign."""
-        return draft.take(Number, f"(−ω_{self.link})", self.speed, "1/s")
+        return draft.take(Number, f"(−ω_{self.link})", self.rates(signed=True), "1/s")
 
     def gaining(self, draft: Draft) -> Mark:
         """Take its angular acceleration."""
-        return draft.take(Number, f"ε_{self.link}", self.drive.acceleration, "1/s²")
+        return draft.take(Number, f"ε_{self.link}", self.gains, "1/s²")
 
     def acceleration(
         self, draft: Draft, positions: Positions, velocities: Motion, plan: Motion

@@ -8,6 +8,8 @@ from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass
 from typing import Generic, NamedTuple, TypeVar
 
+import numpy as np
+
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import (
     angle_by_angle,
@@ -68,6 +70,18 @@ class DrivenPair(ABC):
         if self.mechanism.at_rest and self.drive == self.mechanism.drive:
             return float(self.drive.sense)
         return self.drive.speed
+
+    def rates(self, *, signed: bool) -> object:
+        """Return its rate as it is given: a number, or a row of positions (1, position)."""
+        if self.drive.rates:
+            row = np.array(self.drive.rates)[None, :]
+            return row if signed else np.abs(row)
+        return self.speed if signed else abs(self.speed)
+
+    @property
+    def gains(self) -> object:
+        """Its second rate as it is given: a number, or a row of positions (1, position)."""
+        return np.array(self.drive.gains)[None, :] if self.drive.gains else self.drive.acceleration
 
     @property
     def pair(self) -> Pair:

@@ -103,7 +103,7 @@ class Slider(DrivenPair):
         """Draw the velocity of its point."""
         draft, pole, letter = lines.draft, plan.images.pole, image_letter(self.pin)
         draft.say(f"{self.speed_letter} ∥ {self.pair.name}")
-        speed = draft.take(Number, self.speed_letter, self.speed, "m/s")
+        speed = draft.take(Number, self.speed_letter, self.rates(signed=True), "m/s")
         plan.speeds[self.link] = speed
         segment = between(pole, letter)
         length = draft.draw(to_board, segment, speed)
@@ -129,7 +129,7 @@ class Slider(DrivenPair):
             self._hang(positions, plan, pole)
             return
         draft.say(f"{self.gain_letter} ∥ {self.pair.name}")
-        gain = draft.take(Number, self.gain_letter, self.drive.acceleration, "m/s²")
+        gain = draft.take(Number, self.gain_letter, self.gains, "m/s²")
         segment = between(pole, letter)
         length = draft.draw(to_board, segment, gain)
         path = self.path(positions, draft.uses)
