@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import cmath
 import math
+import tomllib
+from collections.abc import Callable
 
 import pytest
+from support.free_bodies import Judge, Poses
+from support.free_forces import Rough, statics
 
 import graphic_tmm
 
@@ -181,3 +185,65 @@ def test_a_narrow_range_is_a_row_of_its_own() -> None:
     found = graphic_tmm.motion(graphic_tmm.read(NARROW), [68.0, 78.0], exact=True)
     for k in (0, 1):
         assert abs(found["E"].place[k] - found["D"].place[k]) == pytest.approx(5.476532)
+
+
+ROUGH = """[effects]
+gravity = true
+friction = true
+[friction]
+f = 0.1
+radius = "10 mm"
+passes = 20
+[forces]
+"""
+
+
+@pytest.mark.parametrize("ends", [("600 mm", "850 mm"), ("850 mm", "600 mm")])
+def test_friction_of_a_driven_rod(ends: tuple[str, str]) -> None:
+    """In pins O, N, G and along the cylinder, running out and in."""
+    text = BOOM.replace("side =", 'mass = "40 kg"\ncentre = "C"\nJ = 0\nside =', 1) + ROUGH
+    text = text.replace('"600 mm"', f'"{ends[0]}"', 1).replace('to = "850 mm"', f'to = "{ends[1]}"')
+
+    def poses(length: float) -> Poses:
+        turn = math.acos((0.25 + 0.16 - length**2) / 0.4)
+        n = cmath.rect(0.5, turn)
+        along = cmath.phase(n - 0.4)
+        return [(0j, turn), (0.4 + 0j, along), (n, along)]
+
+    rubbed(text, places(ends, 6), poses, "ONGz")
+
+
+@pytest.mark.parametrize("ends", [("250 mm", "350 mm"), ("350 mm", "250 mm")])
+def test_friction_of_a_slider_that_drives(ends: tuple[str, str]) -> None:
+    """In pins O, A, B and along the guide, forth and back."""
+    load = '[[load]]\nlink = 3\nmoment = "10 N*m"\n'
+    text = SLIDER.replace('"250 mm"', f'"{ends[0]}"', 1).replace(
+        'to = "350 mm"', f'to = "{ends[1]}"'
+    )
+
+    def poses(x: float) -> Poses:
+        a = cmath.rect(0.1, math.acos((x * x + 0.01 - 0.09) / (0.2 * x)))
+        return [(x + 0j, 0.0), (a, cmath.phase(x - a)), (0j, cmath.phase(a))]
+
+    rubbed(text + "positions = 5\n" + load + ROUGH, places(ends, 5), poses, "OABx")
+
+
+def places(ends: tuple[str, str], count: int) -> list[float]:
+    """The places of a row, m, between ends in whole millimetres."""
+    first, last = (float(end.removesuffix(" mm")) / 1e3 for end in ends)
+    return [first + (last - first) * k / (count - 1) for k in range(count)]
+
+
+def rubbed(text: str, row: list[float], poses: Callable[[float], Poses], names: str) -> None:
+    """Compare what balances a drive, by groups and on the lever, with the judge of all links at once."""
+    judge, rough = Judge(tomllib.loads(text)), {name: Rough(0.1, 0.01) for name in names}
+    table = graphic_tmm.draw(graphic_tmm.read(text), exact=True).table("forces")
+    for k, at in enumerate(row):
+        state = judge.solve([at], poses(at))
+        due = statics(judge, state, rough=rough)
+        assert abs(due.power) < 1e-14
+        (balance,) = due.drives
+        assert abs(balance - statics(judge, state).drives[0]) > 1.0
+        for name in ("forces", "lever"):
+            value = table[f"P_bal_{name}"].value[0, k]
+            assert value == pytest.approx(balance, abs=1e-8 * due.largest), (k, name)

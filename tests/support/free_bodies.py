@@ -67,8 +67,13 @@ class Drive(NamedTuple):
 
 
 class Slide(NamedTuple):
-    """A sliding pair: slider, owner, the guide's point, direction and turn of the slider (rad), its offset."""
+    """A sliding pair: slider, owner, the guide's point, direction and turn of the slider (rad), its offset.
 
+    ``name``: the guide's; ``pin``: the slider's point that is joined to another body.
+    """
+
+    name: str
+    pin: Spot
     slider: int
     on: int
     through: Any
@@ -197,7 +202,19 @@ class Judge:
         along = np.longdouble(degrees) * PI / 180
         turn = along + np.longdouble(si(told.get("angle", 0.0))) * PI / 180
         offset = np.longdouble(si(told.get("offset", 0.0))) / self.size
-        return Slide(slider, on, np.clongdouble(through) / self.size, along, turn, offset)
+        letters = [*self.words.bodies[slider].points]
+        pin = next((x for x in letters if self.words.standing[x] != [slider]), None)
+        held = self._at(slider, 0j) if pin is None else self._spot(slider, pin)
+        return Slide(
+            told["along"],
+            held,
+            slider,
+            on,
+            np.clongdouble(through) / self.size,
+            along,
+            turn,
+            offset,
+        )
 
     def _drive(self, told: Mapping[str, Any]) -> Drive:
         words, k = self.words, self.index[told["link"]]

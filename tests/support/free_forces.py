@@ -46,8 +46,21 @@ class Statics(NamedTuple):
     power: float
 
 
-def statics(judge: Judge, state: State, turned: float = 0.0) -> Statics:
-    """The equilibrium of all links; ``turned``: how far the crank has, degrees, from the zero position."""
+class Rough(NamedTuple):
+    """How rough a pair is: its coefficient of friction, the radius of its pin (m)."""
+
+    f: float
+    radius: float = 0.0
+
+
+def statics(
+    judge: Judge, state: State, turned: float = 0.0, rough: Mapping[str, Rough] | None = None
+) -> Statics:
+    """The equilibrium of all links.
+
+    ``turned``: how far the crank has, degrees, from the zero position; ``rough``: pairs with friction, by
+    letter or guide: in a pin the couple f·r·|R|, on a slider's pin the force f·|N|, both against the motion.
+    """
     numbers = [body.number for body in judge.words.bodies]
     pairs: list[tuple[Both, list[Wrench]]] = []
     for _, first, other in judge.pins:
@@ -65,6 +78,11 @@ def statics(judge: Judge, state: State, turned: float = 0.0) -> Statics:
     units = [*(wrenches for _, wrenches in pairs), *driving]
     matrix = np.array([_column(state, one) for one in units]).T
     found = solved(matrix, -_column(state, acting)[:, None])[:, 0]
+    rubbing: list[Wrench] = []
+    for _ in range(200 if rough else 0):
+        rubbing = _rubbing(judge, state, found, rough or {})
+        found = solved(matrix, -_column(state, [*acting, *rubbing])[:, None])[:, 0]
+    acting += rubbing
     reactions: dict[Both, complex] = {}
     for ((i, j), wrenches), size in zip(pairs, found, strict=False):
         force = complex(wrenches[0].force * size)
@@ -82,6 +100,32 @@ def statics(judge: Judge, state: State, turned: float = 0.0) -> Statics:
     largest = max([*map(abs, reactions.values()), *(abs(float(n)) for n in needs)])
     whole = float(sum(map(abs, powers))) or 1.0
     return Statics(reactions, drives, largest, float(sum(powers)) / whole)
+
+
+def _rubbing(
+    judge: Judge, state: State, found: Sequence[Any], rough: Mapping[str, Rough]
+) -> list[Wrench]:
+    """Friction in all rough pairs, of the reactions that were found."""
+    wrenches: list[Wrench] = []
+    for k, (letter, first, other) in enumerate(judge.pins):
+        if pair := rough.get(letter):
+            size = abs(found[2 * k] + 1j * found[2 * k + 1])
+            sense = _sense(state.w[other.body] - state.w[first.body], max(map(abs, state.w)))
+            couple = -sense * pair.f * pair.radius / judge.size * size
+            wrenches += _both(first.body, other.body, 0.0, state.place(first), couple)
+    for k, slide in enumerate(judge.slides, len(judge.pins)):
+        if pair := rough.get(slide.name):
+            along = state.units[slide.on] * unit(slide.along)
+            at = state.place(slide.pin)
+            slip = _speed(state, slide.slider, at) - _speed(state, slide.on, at)
+            sense = _sense((along.conjugate() * slip).real, max(map(abs, [*state.dz, slip])))
+            force = -sense * pair.f * abs(found[2 * k]) * along
+            wrenches += _both(slide.on, slide.slider, force, at)
+    return wrenches
+
+
+def _sense(rate: Any, fastest: Any) -> float:
+    return 0.0 if abs(rate) <= 1e-12 * fastest else math.copysign(1.0, float(rate))
 
 
 def _both(i: int, j: int, force: Any, at: Any, couple: Any = 0.0) -> list[Wrench]:
@@ -206,8 +250,12 @@ def _column(state: State, wrenches: Sequence[Wrench]) -> Any:
     return found[1:].ravel()
 
 
+def _speed(state: State, body: int, place: Any) -> Any:
+    """The velocity of that point of a body which lies at a place."""
+    return state.dz[body] + 1j * state.w[body] * (place - state.z[body])
+
+
 def _power(state: State, wrench: Wrench) -> Any:
-    arm = wrench.place - state.z[wrench.body]
-    speed = state.dz[wrench.body] + 1j * state.w[wrench.body] * arm
+    speed = _speed(state, wrench.body, wrench.place)
     force = np.clongdouble(wrench.force)
     return (force.conjugate() * speed).real + wrench.couple * state.w[wrench.body]
