@@ -12,7 +12,7 @@
     drawn.sheets[0].save("sheet.svg")           sheets; drawn.save("page.html"), drawn.note("note.pdf")
     drawn.check("readings.csv")                 a drawing made by hand, judged
     drawn.plot("diagrams")                      curves, by matplotlib
-    tmm.motion(scene, angles)                   positions, velocities, accelerations at any angles
+    tmm.motion(scene, at)                       positions, velocities, accelerations at any places
     tmm.Board()                                 a construction of your own
 
 These names, their parameters and what they return are stable: a change that breaks a program comes with a new

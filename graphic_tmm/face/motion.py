@@ -1,4 +1,4 @@
-"""The third verb: how a scene moves at any angles of its crank."""
+"""The third verb: how a scene moves wherever its drive stands."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from collections.abc import Collection
 
 from numpy.typing import ArrayLike
 
+from graphic_tmm.errors import ConstructionError
 from graphic_tmm.face.reading import Source, read
+from graphic_tmm.language.said import said
 from graphic_tmm.readers.any_angles import motion as any_angles
 from graphic_tmm.readers.any_angles.results import Motion
 from graphic_tmm.readers.any_angles.turn import Plan
@@ -14,15 +16,16 @@ from graphic_tmm.readers.any_angles.turn import Plan
 
 def motion(
     scene: Source,
-    angles: ArrayLike,
+    at: ArrayLike | None = None,
     points: Collection[str] | None = None,
     *,
     plans: Plan | Collection[Plan] = any_angles.PLANS,
     exact: bool = False,
     fast: bool | None = None,
     threads: int | None = None,
+    angles: ArrayLike | None = None,
 ) -> Motion:
-    """Draw plans of a scene at angles of its crank and return what they say, in SI.
+    """Draw plans of a scene at places of its drive and return what they say, in SI.
 
     The log is recorded at the first call; only the steps are run that what is asked
     for needs. Arrays of a call that is compiled lie side by side in one piece of memory, which goes when the
@@ -33,8 +36,10 @@ def motion(
     scene
         A scene with a mechanism, or what `read` takes. Its scale factors and its hand hold; of a hand that
         slips, the first drawing. A `Scene` keeps what was recorded of it for the next call.
-    angles
-        Directions of the crank from the x axis, degrees, counter-clockwise positive: a number or a row.
+    at
+        Where the drive stands, a number or a row: of a crank its directions from the x axis, degrees,
+        counter-clockwise positive; of a slider how far it is along its guide, of a rod how far its pin is from
+        that of its cylinder, m.
     points
         Letters of the points wanted; None for all.
     plans
@@ -52,6 +57,8 @@ def motion(
         mechanisms of other lengths too. It hangs on nothing that was called before.
     threads
         How many threads a compiled log may use; None: as many as there are. The numbers do not depend on it.
+    angles
+        An earlier name of ``at``.
 
     Raises
     ------
@@ -60,8 +67,8 @@ def motion(
     StructureError
         If it cannot be drawn, or a load is not known at any angle.
     ConstructionError
-        If a point or a plan is unknown, the angles are no row of numbers, or ``fast`` is asked for and cannot
-        be had.
+        If a point or a plan is unknown, the places are none or no row of numbers, or ``fast`` is asked for and
+        cannot be had.
 
     Examples
     --------
@@ -70,6 +77,9 @@ def motion(
     >>> k["D"].velocity.shape, k.omega[3].shape
     ((3,), (3,))
     """
+    places = angles if at is None else at
+    if places is None:
+        raise ConstructionError(said("motion: say where the drive stands: at, degrees or m"))
     return any_angles.motion(
-        read(scene), angles, points, plans=plans, exact=exact, fast=fast, threads=threads
+        read(scene), places, points, plans=plans, exact=exact, fast=fast, threads=threads
     )

@@ -84,6 +84,11 @@ positions = 6
 accelerations = "all"
 """
 """A crank that turns through a part of a turn."""
+RACK = LEVER.replace(
+    'speed = "2 rad/s"\nfrom = "20 deg"\nto = "75 deg"',
+    'speed = "0.2 m/s"\nrack = "40 mm"\nfrom = "10 mm"\nto = "120 mm"',
+)
+"""A rack that turns a crank."""
 LOADS = """
 [forces]
 positions = "all"

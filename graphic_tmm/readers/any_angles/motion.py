@@ -1,4 +1,4 @@
-"""How a scene's mechanism moves at any angles of its crank, in SI: recorded once, run at a million too."""
+"""How a scene's mechanism moves wherever its drive stands, in SI: recorded once, run a million times."""
 
 from __future__ import annotations
 
@@ -23,6 +23,7 @@ from graphic_tmm.errors import ConstructionError
 from graphic_tmm.fitting.scales import chosen, reach_of
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.language.said import joined, said
+from graphic_tmm.mechanism.records import TURN, Sweep
 from graphic_tmm.paper.formats import USUAL
 from graphic_tmm.project import record as record_project
 from graphic_tmm.readers.any_angles.ready import Ready, made_ready
@@ -64,12 +65,17 @@ class Recorded:
         return frozenset(row.plan for row in self.told)
 
     @property
+    def sweep(self) -> Sweep:
+        """What the drive goes through."""
+        return self.sheet.project.sweep or TURN
+
+    @property
     def still(self) -> dict[Mark, Any]:
         """What is given, or drawn across the positions of the sheet, and is the same at all angles."""
         return _still(self.sheet, self.known(np.zeros((1, 1))))
 
     def known(self, angles: Reals) -> dict[Mark, Any]:
-        """Return what is given at angles of the crank (degrees; (1, angle)), and nowhere else."""
+        """Return what is given at coordinates of the drive (degrees or m; (1, angle)), and nowhere else."""
         project = self.sheet.project
         row, zero = self.sheet.scene.row, project.coordinates[0]
         first = row.ends or row.places
@@ -165,7 +171,7 @@ OF_POINTS = frozenset({"places", "velocities", "accelerations"})
 
 def motion(
     scene: Scene,
-    angles: ArrayLike,
+    at: ArrayLike,
     points: Collection[str] | None = None,
     *,
     plans: Plan | Collection[Plan] = PLANS,
@@ -173,7 +179,7 @@ def motion(
     fast: bool | None = None,
     threads: int | None = None,
 ) -> Motion:
-    """Draw plans of a scene at angles of its crank and return what they say, in SI; see `face.motion`.
+    """Draw plans of a scene where its drive stands and return what they say, in SI; see `face.motion`.
 
     Raises
     ------
@@ -185,7 +191,7 @@ def motion(
         If a point or a plan is unknown, the angles are no row of numbers, or ``fast`` is wanted and not
         available.
     """
-    row = _row(angles)
+    row = _row(at)
     asked: frozenset[Plan] = frozenset((plans,) if isinstance(plans, str) else plans)
     if not asked <= ALL:
         says = said(
@@ -207,27 +213,31 @@ def motion(
     )
     ready = of.ready(letters, lambda: _wanted(of.told, letters))
     # a product of the row with itself tells in one pass whether all of it can be turned by
-    at = row if math.isfinite(row.dot(row)) else np.where(np.isinf(row), np.nan, row)
+    known = row if math.isfinite(row.dot(row)) else np.where(np.isinf(row), np.nan, row)
     fast = translator() if fast is None else fast
-    told = ready.results(at, of.known, fast=fast, threads=threads)
-    return Motion(row, *map(partial(_unless, asked), PLAN_OF.values(), told))
+    told = ready.results(known, of.known, fast=fast, threads=threads)
+    return Motion(row, of.sweep, *map(partial(_unless, asked), PLAN_OF.values(), told))
 
 
 def _unless(asked: frozenset[Plan], plan: Plan, told: dict[Any, Any]) -> Mapping[Any, Any]:
     return told if plan in asked else NotAsked(plan)
 
 
-def _row(angles: ArrayLike) -> Reals:
-    """Return angles as a row of numbers."""
+def _row(at: ArrayLike) -> Reals:
+    """Return angles, or lengths, as a row of numbers."""
     try:
-        row = np.asarray(angles, dtype=np.float64)
+        row = np.asarray(at, dtype=np.float64)
     except (TypeError, ValueError) as error:
-        raise ConstructionError(said("motion: angles are numbers, degrees")) from error
+        says = said("motion: angles are numbers, degrees; lengths are numbers, m")
+        raise ConstructionError(says) from error
     if row.ndim == 0:
         return row[None]
     if row.ndim != 1:
         raise ConstructionError(
-            said("motion: angles are a number or a row, not {shape}", shape=str(row.shape))
+            said(
+                "motion: angles or lengths are a number or a row, not {shape}",
+                shape=str(row.shape),
+            )
         )
     return row
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
@@ -11,12 +11,14 @@ import numpy as np
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.errors import ConstructionError, needed
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Sweep
 from graphic_tmm.readers.any_angles.turn import Plan
+from graphic_tmm.readers.writing import ANGLE, LENGTH
 
 Points = Mapping[tuple[str, int], Complexes]
 """Of a letter on a link, x + iy in the frame's axes, (angle,)."""
-OF_LINKS = 4
-"""Behind the angles and what is told of points."""
+OF_LINKS = ("omega", "epsilon", "forces", "balance")
+"""What is told of links."""
 COMPONENTS = {"places": "", "velocities": "v", "accelerations": "a"}
 """Names of a point's components in a data frame: D.x, D.vx, D.ax."""
 SHOWN = 6
@@ -77,22 +79,24 @@ class PointMotion:
         return self.letter, self.link
 
     def __repr__(self) -> str:
-        return f"<point {self.letter} of link {self.link} at {self.of.angles.size} angles>"
+        return f"<point {self.letter} of link {self.link} at {self.of.at.size} {self.of.kind}>"
 
 
 @dataclass(frozen=True, repr=False)
 class Motion:
-    """The motion of a mechanism at angles of its crank; every array runs along them, (angle,), in SI.
+    """The motion of a mechanism where its drive stands; every array runs along these places, (angle,), in SI.
 
-    NaN where nothing assembles. What is the same at all angles is an array of one number repeated, which takes
+    NaN where nothing assembles. What is the same at all of them is an array of one number repeated, which takes
     no memory and cannot be written to; a point of two links that are pinned together is one array. ``k["D"]``
     is the point D: ``k["D"].place``, ``.velocity``, ``.acceleration``; ``k["D", 5]`` as a point of link 5.
     A quantity that was not computed raises, when it is used, an error that says how to get it.
 
     Attributes
     ----------
-    angles
-        Directions of the crank as passed, degrees.
+    at
+        Where the drive stands, as passed: directions of the crank, degrees; of what slides, m.
+    sweep
+        What it goes through, and in which unit.
     places, velocities, accelerations
         By (letter, link): x + iy in the frame's axes, complex; m, m/s, m/s².
     omega, epsilon
@@ -105,7 +109,8 @@ class Motion:
         turned by +90°; or ``M_bal_forces`` and ``M_bal_lever``, moments, N·m, counter-clockwise positive.
     """
 
-    angles: Reals
+    at: Reals
+    sweep: Sweep
     places: Points
     velocities: Points
     accelerations: Points
@@ -113,6 +118,16 @@ class Motion:
     epsilon: Mapping[int, Reals]
     forces: Mapping[str, Complexes]
     balance: Mapping[str, Reals]
+
+    @property
+    def angles(self) -> Reals:
+        """Directions of the crank as passed, degrees; NaN where the drive slides."""
+        return self.at if self.sweep.turns else np.full(self.at.shape, np.nan)
+
+    @property
+    def kind(self) -> str:
+        """What the places of the drive are: "angles" or "lengths"."""
+        return "angles" if self.sweep.turns else "lengths"
 
     def __getitem__(self, point: str | tuple[str, int]) -> PointMotion:
         """Return how a point moves, by its letter, or by (letter, link) where links differ in it.
@@ -162,15 +177,16 @@ class Motion:
         Returns
         -------
         pandas.DataFrame
-            ``angle_deg``; of points ``D.x``, ``D.y``, ``D.vx``, ``D.vy``, ``D.ax``, ``D.ay``, where links
-            differ in theirs ``D(5).x``; ``omega3``, ``epsilon3``; ``R12.x``, ``R12.y``; the balance.
+            ``angle_deg``, or ``length_m`` where the drive slides; of points ``D.x``, ``D.y``, ``D.vx``,
+            ``D.vy``, ``D.ax``, ``D.ay``, where links differ in theirs ``D(5).x``; ``omega3``, ``epsilon3``;
+            ``R12.x``, ``R12.y``; the balance.
 
         Raises
         ------
         MissingError
             If pandas is not installed.
         """
-        found: dict[str, Reals] = {"angle_deg": self.angles}
+        found: dict[str, Reals] = {str(ANGLE if self.sweep.turns else LENGTH): self.at}
         for letter, link in self._points:
             name = letter if self._same_everywhere(letter) else f"{letter}({link})"
             for quantity, of in COMPONENTS.items():
@@ -198,10 +214,10 @@ class Motion:
 
     def __repr__(self) -> str:
         there = {"points": _listed(letter for letter, _ in self._points)}
-        for one in fields(self)[OF_LINKS:]:
-            there[one.name] = _listed(getattr(self, one.name) or ())
+        for name in OF_LINKS:
+            there[name] = _listed(getattr(self, name) or ())
         told = "; ".join(f"{name} {value}" for name, value in there.items() if value)
-        return f"<motion at {self.angles.size} angles: {told}>"
+        return f"<motion at {self.at.size} {self.kind}: {told}>"
 
 
 def _listed(names: Iterable[object]) -> str:

@@ -1,4 +1,4 @@
-"""Any angles of a turn of the crank: what chapters know there."""
+"""Any coordinates of the drive, angles of a crank or lengths of what slides: what chapters know there."""
 
 from __future__ import annotations
 
