@@ -34,7 +34,8 @@ def _ranges(project: Project) -> tuple[str, str]:
     inside = (
         f'"{(a + (b - a) * share) % 360:.4g} deg"' for a, b in assembly.ranges for share in SHARES
     )
-    remedy = said("write positions that lie there: extra = [{listed}]", listed=", ".join(inside))
+    extra = said("write positions that lie there: extra = [{listed}]", listed=", ".join(inside))
+    remedy = joined(said(", or "), (extra, _between(assembly)))
     return joined("", (": ", assembly.said)), remedy
 
 
