@@ -32,7 +32,7 @@ from graphic_tmm.chapters.kinematics.reaches import VIEW as PLAN
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.task import EXTREMES
 from graphic_tmm.mechanism.records import Drive
-from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle
+from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, arc, circle
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
@@ -59,7 +59,7 @@ class PositionsFigure(NamedTuple):
     """What the plan of positions shows: the positions' names; by index the one drawn heavy, ``main``.
 
     ``skipped``: those that cannot be drawn, ``extremes``: those in full line. ``led``: the mark that the drive
-    leads, and before it the one that it is led about.
+    leads, and before it the one that it is led about. ``whole``: the row is a turn, or turns.
     """
 
     names: Sequence[str]
@@ -67,6 +67,7 @@ class PositionsFigure(NamedTuple):
     skipped: Sequence[int]
     led: tuple[Mark, Mark]
     extremes: Sequence[int] = ()
+    whole: bool = True
 
 
 def draw_positions_ink(
@@ -84,7 +85,7 @@ def draw_positions_ink(
     traces = figure(ink.seen, Manner(dict.fromkeys(PATHS, curve("thin")), path_stays))
     strokes: list[Ink] = [
         *ink.guides(),
-        *ink.crank_circles(_arms(pairs, positions)),
+        *ink.crank_circles(_arms(pairs, positions), whole=shown.whole),
         *traces.staying,
     ]
     full = [index for index in shown.extremes if index in places and index != main]
@@ -205,12 +206,18 @@ class PositionsInk(LinksInk):
                 made += self.point(mark, None)
         return made
 
-    def crank_circles(self, arms: Iterable[Sequence[Mark]]) -> list[Ink]:
-        """The circles on which crank pins move."""
+    def crank_circles(self, arms: Iterable[Sequence[Mark]], *, whole: bool) -> list[Ink]:
+        """The circles on which crank pins move; of a row that is no ``whole`` turn the arcs of it."""
         drawn = list[Ink]()
         for crank in arms:
             pivot, pin = (self.at(mark, self.places[0]) for mark in crank)
-            drawn += body([circle("thin", pivot, abs(pin - pivot))], "circle", crank)
+            path = circle("thin", pivot, abs(pin - pivot))
+            if not whole:
+                turns = [cmath.phase(self.at(crank[1], k) - pivot) for k in self.places]
+                way = np.degrees(np.unwrap(turns))
+                start, sweep = float(way[0]), float(way[-1] - way[0])
+                path = arc("thin", pivot, abs(pin - pivot), start, sweep)
+            drawn += body([path], "circle", crank)
         return drawn
 
     def arrows(

@@ -97,7 +97,7 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     """
     made = KINEMATICS_PLAN.on(project)
     marks = [m for m in project.marks(POSITIONS) if m.kind in (Point, Curve)]
-    ring = made.pairs[0].arm_ends(made.positions)[:1]
+    ring = made.pairs[0].arm_ends(made.positions)[:1] if made.ends is None else ()
     reading = unscaled(project, doubts, [*marks, *ring])
     arm = made.pairs[0].sizes.length
     spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j]) for pivot in ring]

@@ -149,7 +149,7 @@ def _about(drawn: Drawn, made: KinematicPlans) -> Drawing:
     places = [k for k in drawn.all if k not in left_out]
     ink = PositionsInk(drawn.construction, drawn.reading, reaches(drawn), places)
     traces = figure(ink.seen, Manner(dict.fromkeys(PATHS, curve("thin")), path_stays))
-    strokes: list[Ink] = [*ink.crank_circles(made.arms), *traces.staying]
+    strokes: list[Ink] = [*ink.crank_circles(made.arms, whole=made.ends is None), *traces.staying]
     for k in made.extremes:
         strokes += ink.thin(k, FULL) if k in places else []
     high = heights(drawn.scene, POSITIONS)

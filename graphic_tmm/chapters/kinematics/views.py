@@ -61,6 +61,7 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         (*drawn.undrawn, *made.repeated),
         made.led,
         made.extremes,
+        made.ends is None,
     )
     on = subject(drawn, words["positions"], POSITIONS)
     view = draw_positions_ink(on, reaches(drawn), shown, made.pairs, made.positions)._replace(
