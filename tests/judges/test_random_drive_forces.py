@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from judges.test_random_drives import POSITIONS, SOME, WAYS, judged, random_of
+from support.against_judge import clear
 from support.free_bodies import Judge
 from support.free_forces import statics
 
@@ -81,3 +82,45 @@ def _all_accelerated(drives: object) -> object:
         return [_all_accelerated(drives[0]), *drives[1:]]
     assert isinstance(drives, dict)
     return {**drives, "accelerations": "all"}
+
+
+@pytest.mark.parametrize("kind", ["slider", "rod", "open crank"])
+@pytest.mark.parametrize(
+    "seed", [7, *(pytest.param(k, marks=pytest.mark.slow) for k in range(8, 18))]
+)
+def test_rates_of_each_position(kind: str, seed: int) -> None:
+    """A drive of another speed and acceleration at every place: ω, ε, and what balances it."""
+    found, scene = random_of(kind, seed, forces=True)
+    rate, unit = abs(found.judge.drives[0].rate), "rad/s" if kind == "open crank" else "m/s"
+    speeds = [f"{rate * (0.3 + 0.3 * k)!r} {unit}" for k in range(POSITIONS)]
+    gains = [f"{0.1 * rate * (k - 2)!r} {unit}2" for k in range(POSITIONS)]
+    motion = {"speed": speeds, "acceleration": gains, "accelerations": "all"}
+    sheet = graphic_tmm.draw(
+        graphic_tmm.read({**scene, "drive": {**scene["drive"], **motion}}), exact=True
+    )
+    tables = {name: sheet.table(name) for name in ("velocities", "accelerations", "forces")}
+    ends = found.walked[0][0], found.walked[-1][0]
+    first, last = ends if found.judge.drives[0].rate > 0 else ends[::-1]
+    for k, way in enumerate(np.linspace(first, last, POSITIONS)):
+        there = {**scene["drive"], "speed": speeds[k], "acceleration": gains[k]}
+        judge = Judge({**scene, "drive": there})
+        state = judge.solve(found.coordinates(way), found.solved(way).poses)
+        due = statics(judge, state, math.degrees(abs(way - first)))
+        for table, letter, turns in (
+            ("velocities", "omega", state.omega),
+            ("accelerations", "epsilon", state.epsilon),
+        ):
+            largest = max(map(abs, turns.values()))
+            for number, turn in turns.items():
+                if (name := f"{letter}{number}") in tables[table]:
+                    value = tables[table][name].value[0, k]
+                    assert value == pytest.approx(turn, abs=1e-9 * largest), (k, name)
+        if clear(found, state):
+            moment = judge.words.balance == "moment"
+            letter, arm = ("M", judge.size) if moment else ("P", 1.0)
+            for name in ("forces", "lever"):
+                value = tables["forces"][f"{letter}_bal_{name}"].value[0, k]
+                assert value == pytest.approx(due.drives[0], abs=1e-8 * due.largest * arm), (
+                    k,
+                    name,
+                )

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from graphic_tmm.board.draft import ROUNDING, Draft
 from graphic_tmm.board.operations.formulas import run_out, to_board
 from graphic_tmm.board.operations.instruments import lay_off, parallel
@@ -135,7 +137,7 @@ class Slider(DrivenPair):
         path = self.path(positions, draft.uses)
         line = draft.draw(parallel, f"({segment})", pole, path, sense=1, why=why.ACCELERATION_ALONG)
         image = draft.draw(lay_off, letter, line, length, why=why.VECTOR)
-        if self.drive.acceleration > 0.0:
+        if np.all(np.asarray(self.gains) > 0.0):
             plan.measured.add(image)
         self._hang(positions, plan, image)
 
