@@ -8,59 +8,16 @@ import tomllib
 from collections.abc import Callable
 
 import pytest
+from support import driven_scenes
 from support.free_bodies import Judge, Poses
 from support.free_forces import Rough, statics
 
 import graphic_tmm
 
-BOOM = """
-title = "Boom"
-language = "en"
-[frame]
-O = [0, 0]
-G = [0.4, 0]
-[[link]]
-number = 1
-points = { O = [0, 0], N = [0.5, 0], C = [1.0, 0] }
-side = "left of OG"
-[[link]]
-number = 2
-points = { G = [0, 0] }
-guides = { z = { through = [0, 0], angle = "0 deg" } }
-[[link]]
-number = 3
-points = { N = [0, 0] }
-slides = { on = 2, along = "z", side = "+" }
-[drive]
-link = 3
-speed = "0.05 m/s"
-from = "600 mm"
-to = "850 mm"
-positions = 6
-"""
-SLIDER = """
-title = "Slider drives"
-language = "en"
-[frame]
-O = [0, 0]
-x = { through = [0, 0], angle = "0 deg" }
-[[link]]
-number = 1
-points = { B = [0, 0] }
-slides = { on = "frame", along = "x", side = "right" }
-[[link]]
-number = 2
-points = { A = [0, 0], B = [0.3, 0] }
-side = "left of OB"
-[[link]]
-number = 3
-points = { O = [0, 0], A = [0.1, 0] }
-[drive]
-link = 1
-speed = "0.5 m/s"
-from = "250 mm"
-to = "350 mm"
-"""
+BOOM = driven_scenes.BOOM.format(drive=driven_scenes.OUT, loaded="")
+SLIDER = driven_scenes.SLIDER.format(
+    drive='speed = "0.5 m/s"\nfrom = "250 mm"\nto = "350 mm"', loaded=""
+)
 CRANKS = """
 title = "Five-bar"
 language = "en"
