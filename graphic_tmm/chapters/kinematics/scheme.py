@@ -40,6 +40,8 @@ SIZES = HEIGHTS[FORMAT]
 """How high its letters are: it is held in the hand."""
 NEAR = 0.5
 """A moment later the crank has turned by so many degrees: which way points go is seen then."""
+SOON = 1e-3
+"""A moment later what slides has gone by this share of its stroke."""
 ASIDE = 2.0
 """So many degrees it keeps off every position that is drawn, at least."""
 CLEAR, TOGETHER = 0.09, 1e-6
@@ -124,13 +126,35 @@ def _posed(scene: Scene) -> Pose:
     between = _assembled(scene, made, there)
     passed = np.nan_to_num(transmission(made.tried, between), nan=-1.0)
     passed = passed * _apart(made, between)
-    passed = np.where(np.sin(np.radians(between)) < FOOT, SHARE * passed, passed)
-    angle = float(between[int(np.argmax(np.round(passed, 6)))])
-    row = replace(
-        bare.row, count=1, zero=angle, extra=(angle + NEAR * made.sense,), accelerations=()
+    if made.tried.sweep.turns:
+        passed = np.where(np.sin(np.radians(between)) < FOOT, SHARE * passed, passed)
+    at = float(between[int(np.argmax(np.round(passed, 6)))])
+    return Pose(scene, record(_standing(bare, made, at), wanted={POSITIONS}))
+
+
+def _standing(scene: Scene, made: KinematicPlans, at: float) -> Scene:
+    """Return the scene whose drive stands at a coordinate, and a moment later, others where they are then."""
+    first, after = made.mechanism.drive, at + _moment(made)
+    row = replace(scene.row, accelerations=(), extra=(), ends=None)
+    if made.tried.sweep.turns and not made.mechanism.further:
+        return replace(scene, row=replace(row, count=1, zero=at, extra=(after,), places=()))
+    turns = made.tried.sweep.turns
+    gone = np.radians(at - made.tried.zero) if turns else at - made.tried.zero
+    further = []
+    for one in made.mechanism.further:
+        by = one.speed / first.speed * gone if first.speed else 0.0
+        further.append(replace(one, start=one.start + (by if one.slides else np.degrees(by))))
+    mechanism = replace(made.mechanism, further=tuple(further))
+    return replace(
+        scene, mechanism=mechanism, row=replace(row, count=2, zero=0.0, places=(at, after))
     )
-    shown = replace(bare, row=row)
-    return Pose(scene, record(shown, wanted={POSITIONS}))
+
+
+def _moment(made: KinematicPlans) -> float:
+    """Return how far the drive goes in a moment: which way points go is seen then."""
+    if made.tried.sweep.turns or made.ends is None:
+        return NEAR * made.sense
+    return SOON * (made.ends[1] - made.ends[0]) * made.sense
 
 
 def _assembled(scene: Scene, made: KinematicPlans, there: Reals) -> Reals:
@@ -139,10 +163,11 @@ def _assembled(scene: Scene, made: KinematicPlans, there: Reals) -> Reals:
     Half way between positions, if there are such; else anywhere in the turn off them; else those of positions.
     """
     turn = np.arange(there[0], there[0] + 360.0, ANYWHERE)
-    for row in (_between(there, made), turn[_away(turn, there) >= ASIDE], there):
+    beside = turn[_away(turn, there) >= ASIDE]
+    for row in (_between(there, made), beside if made.ends is None else there, there):
         marks = [s.it for s in made.tried.construction.steps if s.it.view == POSITIONS]
         stands = np.ones(row.size, dtype=bool)
-        for at in (row, row + NEAR * made.sense):
+        for at in (row, row + _moment(made)):
             reading = made.tried.at(at[None, :], marks)
             for mark in marks:
                 stands &= ~np.broadcast_to(undefined(reading[mark])[0], row.shape)
@@ -161,6 +186,9 @@ def _away(row: Reals, there: Reals) -> Reals:
 
 def _between(there: np.ndarray, made: KinematicPlans) -> np.ndarray:
     """Return angles of the crank half way between positions; of a single one, some way behind it."""
+    if made.ends is not None:
+        row = there[: made.count]
+        return np.asarray((row[1:] + row[:-1]) / 2.0 if row.size > 1 else row)
     if made.in_turn < 2:
         return np.round(there[:1] + ALONE * made.sense, 1)
     step = 360.0 / made.in_turn
