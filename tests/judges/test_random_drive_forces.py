@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from judges.test_random_drives import POSITIONS, SOME, WAYS, judged, random_of
+from judges.test_random_drives import POSITIONS, WAYS, judged, random_of
 from support.against_judge import clear
 from support.free_bodies import Judge
 from support.free_forces import statics
@@ -27,7 +27,9 @@ def test_forces_oftener(kind: str, block: int) -> None:
         judged(kind, seed, forces=True)
 
 
-@pytest.mark.parametrize("kind", SOME)
+@pytest.mark.parametrize(
+    "kind", ["rod", *(pytest.param(k, marks=pytest.mark.slow) for k in WAYS if k != "rod")]
+)
 def test_forces_along_a_row(kind: str) -> None:
     """The table of a sheet has at every place of its row what balances each drive there."""
     found, scene = random_of(kind, 4, forces=True)
@@ -50,7 +52,9 @@ def test_forces_along_a_row(kind: str) -> None:
             assert value == pytest.approx(balance, abs=1e-8 * due.largest * arm), (k, name)
 
 
-@pytest.mark.parametrize("kind", ["slider", "rod", "open crank"])
+@pytest.mark.parametrize(
+    "kind", ["open crank", *(pytest.param(k, marks=pytest.mark.slow) for k in ("slider", "rod"))]
+)
 @pytest.mark.parametrize(
     "seed", [5, *(pytest.param(k, marks=pytest.mark.slow) for k in range(6, 26))]
 )
@@ -84,10 +88,9 @@ def _all_accelerated(drives: object) -> object:
     return {**drives, "accelerations": "all"}
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", ["slider", "rod", "open crank"])
-@pytest.mark.parametrize(
-    "seed", [7, *(pytest.param(k, marks=pytest.mark.slow) for k in range(8, 18))]
-)
+@pytest.mark.parametrize("seed", range(7, 18))
 def test_rates_of_each_position(kind: str, seed: int) -> None:
     """A drive of another speed and acceleration at every place: ω, ε, and what balances it."""
     found, scene = random_of(kind, seed, forces=True)

@@ -54,7 +54,8 @@ def behind(seed: int) -> tuple[Random, dict[str, Any], float, int]:
     raise AssertionError("no mechanism has a dead place")
 
 
-@pytest.mark.parametrize("seed", [0, *(pytest.param(k, marks=pytest.mark.slow) for k in (1, 2))])
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(3))
 def test_behind_a_dead_place_nothing_is_told_but_a_finding(seed: int) -> None:
     found, scene, way, sense = behind(seed)
     scene["drive"]["extra"] = [
@@ -96,7 +97,8 @@ def test_compiled_is_as_drawn_step_by_step(seed: int) -> None:
             np.testing.assert_allclose(others[key], row, rtol=0, atol=1e-12 * largest)
 
 
-@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2])
 def test_the_page_calculates_as_python_does(seed: int, tmp_path: Path) -> None:
     _, scene = turning(seed, 1 + seed)
     page_is_right(scene, tmp_path)
