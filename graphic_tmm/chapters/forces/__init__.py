@@ -13,6 +13,12 @@ slides it is square to that guide, and the line for it is drawn through the corn
 links. The driving link is left with the reaction of the first group and the balancing force at the crank
 pin, or a balancing moment.
 
+Where the loads are given, that of the drive among them, and a force at a tool is sought, the lever comes
+first: its moment is that of all loads, reversed, and its arm the velocity of its point along it, so that one
+division gives it; as the arm of the crank pin is to its arm, so it is to the force there (mechanical
+advantage). Then groups are solved with it as a load. What they leave at the drive, as a share of what the
+loads are there, shows whether both methods agree.
+
 A load may keep the direction of a link (drawn from the plan of positions), and come from another link, where
 the opposite acts. A spring pulls by its length as measured on that plan, a damper by the rate of that length
 on the plan of velocities.
@@ -45,7 +51,6 @@ from graphic_tmm.chapters.kinematics.task import KINEMATICS, POSITIONS
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
 
-_LEVER = said("The balancing force is found by Zhukovsky's lever as well.")
 _TABLE = said("Reactions and balancing forces are set in a table.")
 
 CHAPTER = Chapter(
@@ -54,7 +59,7 @@ CHAPTER = Chapter(
     builds_on=(KINEMATICS, DIAGRAMS, INDICATOR),
     places=(
         Place("forces", 60),
-        Place("lever", 61, asks=(_LEVER,)),
+        Place("lever", 61),
         Place("force table", 62, asks=(_TABLE,)),
         Place(LOADS, attends=POSITIONS),
     ),

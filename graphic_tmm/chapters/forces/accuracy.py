@@ -24,7 +24,7 @@ PASSES = (2, 3, 4, 6, 8)
 """Numbers of passes of friction that are held against those that have settled."""
 SETTLED = 12
 """Passes of friction after which nothing changes any more."""
-FORCE, MOMENT, REACTIONS = "P_bal", "M_bal", "R"
+FORCE, MOMENT, TOOL, REACTIONS = "P_bal", "M_bal", "P_tool", "R"
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
@@ -32,6 +32,8 @@ def _quantities(project: Project) -> Iterator[Quantity]:
     name, unit = (MOMENT, "N·m") if made.order.balance == "moment" else (FORCE, "N")
     # of the last pass of friction, whether passes have settled or not: a hand that slips scatters more
     value = (Value(made.driven[0].balance),)
+    if made.tool is not None:
+        name, unit, value = TOOL, "N", (Value(made.tool.force.value),)
     if made.order.friction is None:
         yield Quantity(name, unit, value, project.count, due=value)
     else:

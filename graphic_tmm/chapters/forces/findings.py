@@ -24,7 +24,9 @@ def balanced(project: Project, doubts: Doubts) -> dict[int, np.ndarray]:
     There is nothing to compare then.
     """
     made = FORCES_PLAN.on(project)
-    none = doubts.nothing(made.balance) & doubts.nothing(made.lever.balance)
+    none = doubts.nothing(made.lever.balance)
+    if made.tool is None:
+        none = none & doubts.nothing(made.balance)
     return {made.difference.slot: np.broadcast_to(none, (1, len(project.names)))}
 
 

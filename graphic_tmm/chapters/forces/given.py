@@ -9,7 +9,8 @@ from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import braced, letters, sizes_of, varies
 from graphic_tmm.chapters.forces.loads import Ends
 from graphic_tmm.chapters.forces.springs import constants, ends_of, numbers
-from graphic_tmm.chapters.forces.task import ASKED, Spring
+from graphic_tmm.chapters.forces.task import ASKED, Spring, Unknown
+from graphic_tmm.chapters.forces.tool import letter_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
@@ -79,12 +80,26 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         (first, last), name = ends.letters, ends.names[0]
         words = {"first": first, "last": last, "letter": f"F_{name}", "ends": name}
         yield _(_SPRING, law=_law(spring, index), **words)
+    if order.unknown is not None:
+        yield _sought(order.unknown, language)
     if order.gravity and order.inertia:
         yield _(_BOTH)
     elif order.gravity or order.inertia:
         yield _(_WEIGHT if order.gravity else _INERTIA)
     if told := wanted_positions(scene, language):
         yield told
+
+
+def _sought(unknown: Unknown, language: str) -> str:
+    """Tell the force that is sought at a tool, and how it is directed."""
+    letter, way = plain(letter_of(unknown)), unknown.direction
+    told = speaking(language)(_SOUGHT, letter=letter, link=unknown.link, point=unknown.point)
+    if isinstance(way, Along):
+        by = way.by % 360.0
+        line = speaking(language)(_LINE, letter=letter, line=way.line)
+        return f"{told} {line if by == 0.0 else _turning(way, letter, language)}"
+    angle = given_figure(float(way), language)
+    return f"{told} {speaking(language)(_FIXED, letter=letter, angle=angle)}"
 
 
 def wanted_positions(scene: Scene, language: str) -> str:
@@ -123,6 +138,11 @@ _SQUARE = said(
 _ANGLE = said(
     "The direction of {letter} turns with the mechanism: {line} turned by {angle}° counter-clockwise."
 )
+_SOUGHT = said(
+    "The force {letter} is sought that has to act on link {link} at {point} for the given loads to be balanced."
+)
+_LINE = said("{letter} acts along {line}.")
+_FIXED = said("{letter} acts at {angle}° to the x axis.")
 _BOTH = said("Weights and inertia forces of the links are taken into account.")
 _WEIGHT = said("Weights of the links are taken into account, inertia forces are not.")
 _INERTIA = said("Inertia forces of the links are taken into account, weights are not.")

@@ -65,7 +65,7 @@ def _given(ground: Ground, load: Load, loads: Loads) -> Force | Couple:
     letter = _letter(ground, "F", index_of(load))
     if load.direction != AGAINST:
         size = _size(ground, load, letter, "N", loads)
-        line = _line(ground, load.direction, point, letter)
+        line = line_of(ground, load.direction, point, letter)
         return Force(letter, load.link, point, line, size, image)
     reading = reading_of(draft, ground.velocities, image)
     if reading is None:
@@ -83,7 +83,7 @@ def _given(ground: Ground, load: Load, loads: Loads) -> Force | Couple:
     return Force(letter, load.link, point, line, value, image)
 
 
-def _line(ground: Ground, direction: float | str | Along, point: Mark, letter: str) -> Mark:
+def line_of(ground: Ground, direction: float | str | Along, point: Mark, letter: str) -> Mark:
     """Draw the line of action of a load, in a direction fixed in the sheet or in one that turns with a link."""
     draft = ground.draft
     if isinstance(direction, Along):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.operations.energetics import added
@@ -13,6 +13,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.driving import Driven
+from graphic_tmm.chapters.forces.ink_equations import Row
 from graphic_tmm.chapters.forces.lever import Converted
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.statics import Solved, summed_links
@@ -21,9 +22,6 @@ from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.paper.drawing import EQUATIONS, Drawing, Label
-from graphic_tmm.paper.formats import Heights
-from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Seen
 from graphic_tmm.readers.sentences import letters_of
@@ -215,21 +213,6 @@ def _divided(above: list[str], below: list[str]) -> list[str]:
     return above
 
 
-WIDE = 34.0
-"""How wide a block of equations may be, in heights of its letters; a longer line is broken at its terms."""
-LEAD = 0.7
-"""Clear height between two lines, in heights of their letters."""
-INDENT = 2.0
-"""How far the rest of a broken line stands in, in heights of its letters."""
-
-
-class Row(NamedTuple):
-    """A line of lettering: the parts between which it may break, the mark that it finds."""
-
-    parts: Sequence[str]
-    of: Mark
-
-
 def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
     """Yield the equations of moments of a group, what they give, and the reactions of its polygon."""
     closing, figure = solved.closing, solved.figure
@@ -311,11 +294,17 @@ def lever_rows(writer: Writer, made: Forces) -> Iterator[Row]:
             yield _formula(writer, force.value, "N")
     for one in lever.couples:
         yield _converted(writer, one)
-    sought = Sought("P_{bl}", lever.force, lever.segment, 1, "N")
+    sought, tool = Sought("P_{bl}", lever.force, lever.segment, 1, "N"), made.tool
+    if tool is not None:
+        turns = writer.sense(tool.arm)
+        sought = Sought(tool.force.letter, tool.force.value, tool.arm, turns, "N")
     names = {force.value: force.letter for force in lever.forces}
     heading = f"ΣM_{{{lever.pole.name}}}"
     for parts in writer.sought(heading, Sum(lever.total, names, {}), sought, None):
-        yield Row(parts, lever.force)
+        yield Row(parts, sought.value)
+    if tool is not None:
+        yield _formula(writer, tool.advantage, "")
+        yield _formula(writer, lever.force, "N")
     if lever.balance != lever.force:
         yield _formula(writer, lever.balance, "N·m")
 
@@ -368,33 +357,3 @@ def _formula(writer: Writer, mark: Mark, of: str) -> Row:
     return Row(
         [f"{writer.letter(mark.name)} = {told} = ", f"{put} = {writer.with_unit(mark, of)}"], mark
     )
-
-
-def draw_balances(name: str, title: str, rows: Iterable[Row], index: int, high: Heights) -> Drawing:
-    """Return equations under their title, each broken where it is too wide."""
-    labels, base = list[Label](), 0.0
-    size, wide = high.point, WIDE * high.point
-    lines: list[tuple[str, float, float, tuple[int, ...]]] = [(title, high.title, 0.0, ())]
-    for row in rows:
-        for k, text in enumerate(_broken(row.parts, size, wide)):
-            lines.append((text, size, INDENT * size if k else 0.0, (row.of.slot,)))
-    for text, height, x, of in lines:
-        made = letter(text, size=height)
-        base -= made.ascent + (LEAD * height if labels else 0.0)
-        position = index if of else None
-        labels.append(Label(text, complex(x, base), height, of=of, position=position))
-        base -= made.descent
-    return Drawing(name, title, labels=tuple(labels), role=EQUATIONS, position=index)
-
-
-def _broken(parts: Sequence[str], size: float, wide: float) -> list[str]:
-    lines: list[str] = []
-    for part in parts:
-        longer = f"{lines[-1]} {part.strip()}" if lines else part.strip()
-        if lines and letter(longer, size=size).width > wide - (len(lines) > 1) * INDENT * size:
-            lines.append(part.strip())
-        elif lines:
-            lines[-1] = longer
-        else:
-            lines = [longer]
-    return lines

@@ -26,7 +26,8 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     turning,
 )
 from graphic_tmm.chapters.forces.ink_polygons import bar
-from graphic_tmm.chapters.forces.lever import VIEW, Lever
+from graphic_tmm.chapters.forces.lever import VIEW, Carried, Lever
+from graphic_tmm.chapters.forces.tool import Tool
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
@@ -44,27 +45,34 @@ TOGETHER = 1.0
 
 
 def draw_lever_ink(
-    on: Subject, lever: Lever, index: int, decimals: int, helping: bool = True
+    on: Subject,
+    lever: Lever,
+    index: int,
+    decimals: int,
+    helping: bool = True,
+    tool: Tool | None = None,
 ) -> Drawing:
-    """Return the lever in one position.
+    """Return the lever in one position, with the force at a ``tool`` if that balances it.
 
     ``decimals``: to how many the ruler tells a length. Not ``helping``: without what is rubbed out.
     """
     seen = on.seen((VIEW,), [index])
-    lines = {force.line for force in lever.forces}
+    carried = (*lever.forces, *([tool.carried] if tool else []))
+    lines = {force.line for force in carried}
     rules = {carry.name: _ray, parallel.name: drawn_on, square.name: drawn_on, arm.name: drawn_arm}
 
     def stays(seen: Seen, step: Step) -> bool:
         return step.it.kind is Point or arm_shows(seen, step, index)
 
     traces = figure(seen, Manner(rules, stays), helping=helping)
-    ink = _Loads(seen, lever, index, on)
-    for force, arm_ in zip(lever.forces, ink.measured(), strict=True):
+    ink = _Loads(seen, lever, index, on, carried)
+    for force, arm_ in zip(carried, ink.measured(carried), strict=True):
         _, along = seen.line(force.line, index)
         own = (force.point.slot, force.line.slot, force.value.slot)
-        ink.force(force.letter, force.point, along, force.value, own, arm_)
+        pen = "rod" if tool and force is tool.carried else "over"
+        ink.force(force.letter, force.point, along, force.value, own, arm_, pen)
     way = seen.point(lever.pin, index) - seen.point(lever.pole, index)
-    if abs(way) >= LEAST:  # it acts square to the segment of the crank pin
+    if tool is None and abs(way) >= LEAST:  # it acts square to the segment of the crank pin
         of, at = (lever.pin.slot, lever.force.slot), 1j * way / abs(way)
         ink.force(BALANCE, lever.pin, at, lever.force, of, lever.segment, "rod")
     ink.couples()
@@ -106,13 +114,13 @@ def _letters(seen: Seen, lever: Lever, k: int, high: Heights) -> list[Wanted]:
 class _Loads:
     """What acts on the lever in one position while it is drawn."""
 
-    def __init__(self, seen: Seen, lever: Lever, index: int, on: Subject) -> None:
+    def __init__(
+        self, seen: Seen, lever: Lever, index: int, on: Subject, carried: tuple[Carried, ...]
+    ) -> None:
         self.seen, self.lever, self.index = seen, lever, index
         self.language, self.high = on.language, on.heights
         self.arrows = Arrows(index, on.heights.point)
-        sizes = [
-            seen.number(mark, index) for mark in (*(f.value for f in lever.forces), lever.force)
-        ]
+        sizes = [seen.number(mark, index) for mark in (*(f.value for f in carried), lever.force)]
         self.largest = max((abs(size) for size in sizes if math.isfinite(size)), default=0.0)
 
     def force(
@@ -134,10 +142,10 @@ class _Loads:
         at, length = self.seen.point(point, self.index), length_of(size, self.largest)
         self.arrows.put(at, way, length, called, told, pen)
 
-    def measured(self) -> list[Mark]:
+    def measured(self, carried: tuple[Carried, ...]) -> list[Mark]:
         """Return the arms of the forces, in their order."""
         arms = {step.uses[1]: step.it for step in self.seen.steps if step.op is arm}
-        return [arms[force.line] for force in self.lever.forces]
+        return [arms[force.line] for force in carried]
 
     def couples(self) -> None:
         """The converted couples, each at the segment by which it was converted."""

@@ -34,6 +34,15 @@ IDLE = said("All forces are zero: there is no polygon.")
 WORKED = said("The calculation is worked in full for position {position}.")
 AGAINST = said("Against the balancing force found by the force plans:")
 FRICTION = "friction"
+LEAVES = said(
+    "What the force plans leave at the drive, as a share of what the known loads are there:"
+)
+LEFT = said(
+    "In position {position} the force plans leave {apart} % at the drive (limit {limit} %): within it."
+)
+TOO_MUCH = said(
+    "In position {position} the force plans leave {apart} % at the drive (limit {limit} %): beyond it."
+)
 AGREE = said(
     "In position {position} the lever differs from the force plans by {apart} % (limit {limit} %): within it."
 )
@@ -122,7 +131,7 @@ class ForcePage(Page[Forces]):
         yield from self.leads(self._here(LEVER), *applied(self))
         yield from self._moments(iter(lever_rows(self.writer, self.recorded)))
         if self.of(LEVER) is not None:
-            yield self.says(AGAINST)
+            yield self.says(AGAINST if self.recorded.tool is None else LEAVES)
             yield from self.worked_out(self.recorded.difference)
 
     def concludes(self) -> Iterator[Runs]:
@@ -132,7 +141,10 @@ class ForcePage(Page[Forces]):
         for k in self.recorded.places:
             value = values[k] if k not in self.drawn.undrawn else None
             if value is not None:
-                words = AGREE if value <= self.recorded.order.limit else APART
+                within = value <= self.recorded.order.limit
+                words = AGREE if within else APART
+                if self.recorded.tool is not None:
+                    words = LEFT if within else TOO_MUCH
                 apart = self.quantity(segment, k, 2)._replace(unit="")
                 position, limit = self.drawn.names[k], self.ordered("limit")
                 yield self.sentence(words, position=position, apart=apart, limit=limit)

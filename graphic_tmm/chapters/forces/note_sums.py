@@ -200,6 +200,12 @@ LEVER = said(
     "{pin}: the arm of each about the pole then shows the velocity along it, its moment shows its power. The "
     "powers add up to nothing, so the lever is in equilibrium."
 )
+SOUGHT = said(
+    "The velocity plan turned by 90° is taken for a rigid lever that can turn about its pole {pole}. All "
+    "forces are applied at the images of their points, parallel to themselves, the unknown one too, at {pin}: "
+    "the arm of each about the pole then shows the velocity along it, its moment shows its power. The powers "
+    "add up to nothing, so one division gives the unknown force."
+)
 COUPLES = said(
     "A couple is replaced by one of equal power: by its moment times the image of its link, divided by the "
     "link."
@@ -214,7 +220,9 @@ def applied(page: Page[Forces]) -> Iterator[Block]:
     lever, told = page.recorded.lever, page.of(VIEW)
     if told is None:
         return
-    yield page.says(LEVER, pole=told.symbol(lever.pole), pin=told.symbol(lever.pin))
+    tool = page.recorded.tool
+    says, pin = (LEVER, lever.pin) if tool is None else (SOUGHT, tool.carried.point)
+    yield page.says(says, pole=told.symbol(lever.pole), pin=told.symbol(pin))
     if lever.couples:
         yield page.says(COUPLES)
         yield from page.worked_out(*(one.value for one in lever.couples))

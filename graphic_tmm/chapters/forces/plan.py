@@ -10,7 +10,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from graphic_tmm.board.operations.statics import apart_percent, efficiency, settled, still_open
+from graphic_tmm.board.operations.statics import (
+    apart_percent,
+    efficiency,
+    left_percent,
+    settled,
+    still_open,
+)
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.roles import DETACHED, FORCE_POLYGON
 from graphic_tmm.chapters.forces import friction, lever, loads
@@ -22,6 +28,7 @@ from graphic_tmm.chapters.forces.link_loads import draw_loads
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask, Friction
+from graphic_tmm.chapters.forces.tool import Tool, draw_line, draw_tool
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder
 from graphic_tmm.chapters.kinematics.bodies import dyads
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
@@ -40,7 +47,9 @@ OTHERS = (loads.VIEW, friction.VIEW, lever.VIEW)
 class Forces:
     """The forces of a mechanism as drawn, of the last pass.
 
-    ``balance``: P_bal (N) or M_bal (N·m) by kinetostatics and by the lever, their difference in %.
+    ``balance``: P_bal (N) or M_bal (N·m) by kinetostatics and by the lever, their difference in %. ``tool``: an
+    unknown force, if one is sought: then ``balance`` is what the groups leave at the drive, nothing if all is
+    right, and the difference is its share of what balances the known loads there.
     ``open``: by how much further passes of friction can change it; ``efficiency`` in %. ``acting``: the forces
     and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by pin;
     ``places``: the positions (indices) at which forces are asked for; ``views``: those of the board in which
@@ -60,6 +69,7 @@ class Forces:
     circles: dict[Mark, Mark] | None = None
     places: tuple[int, ...] = ()
     views: tuple[str, ...] = ()
+    tool: Tool | None = None
 
     @property
     def alone(self) -> tuple[Alone, ...]:
@@ -174,6 +184,12 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
     """
     draft = ground.draft
     loads = draw_loads(ground, order, gas)
+    tool, acting = None, loads
+    if order.unknown is not None:
+        sought = draw_line(ground, order.unknown)
+        lever = _lever(ground, order, (loads.on_lever, loads.couples_on_lever))
+        tool = draw_tool(ground, sought, lever)
+        acting = replace(loads, forces=[*loads.forces, tool.force])
     figures = _Figures(ground)
     friction = order.friction
     count = friction.passes if friction is not None else 0
@@ -185,24 +201,18 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
         if k and rub is not None:
             rubbing = rub.draw(found, _by_joint(found, passes[-1]), k)
         tried = None if k == count else k
-        passes.append(_solve(ground, order, loads, rubbing, figures, tried))
+        passes.append(_solve(ground, order, acting, rubbing, figures, tried))
     last = passes[-1]
     balance = last.driven[0].balance
     open_ = share = None
     if friction is not None:
         balance, open_, share = _settle(ground, passes, order.balance)
-    taken = {force.letter for force in loads.forces}
-    slid = rub.along_guides(found, _by_joint(found, last), taken) if rub is not None else []
-    further = last.driven[1:]
-    held = [_imaged(ground, force) for one in further for force in one.carried]
-    turned = [one.couple for one in further if one.couple is not None]
-    carried = (
-        [*loads.on_lever, *slid, *held],
-        [*loads.couples_on_lever, *rubbing.couples, *turned],
-    )
-    lever = _lever(ground, order, carried)
+    if tool is None:
+        lever = _lever(ground, order, _carried(ground, loads, rub, found, last))
     draft.open("lever")
-    difference = draft.draw(apart_percent, "Δ", lever.balance, balance, unit="%")
+    both = (lever.balance, balance) if tool is None else (balance, lever.balance)
+    compare = apart_percent if tool is None else left_percent
+    difference = draft.draw(compare, "Δ", *both, unit="%")
     circles = None
     if rub is not None:
         pins = ground.positions
@@ -219,6 +229,22 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
         open_,
         share,
         circles,
+        tool=tool,
+    )
+
+
+def _carried(
+    ground: Ground, loads: Loads, rub: Rub | None, found: tuple[Joint, ...], last: _Pass
+) -> tuple[list[Force], list[Couple]]:
+    """Return what is carried onto the lever: loads, friction, what balances further drives."""
+    taken = {force.letter for force in loads.forces}
+    slid = rub.along_guides(found, _by_joint(found, last), taken) if rub is not None else []
+    further = last.driven[1:]
+    held = [_imaged(ground, force) for one in further for force in one.carried]
+    turned = [one.couple for one in further if one.couple is not None]
+    return (
+        [*loads.on_lever, *slid, *held],
+        [*loads.couples_on_lever, *last.rubbing.couples, *turned],
     )
 
 

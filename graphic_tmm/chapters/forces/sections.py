@@ -34,6 +34,34 @@ def _forces(asked: Said, parts: Parts) -> Iterator[Flaw]:
     for number in asked.single:
         if number not in parts.names.bodies:
             yield from no_link(("forces", "single"), number, parts.names)
+    if asked.unknown is not None:
+        yield from _unknown(("forces", "unknown"), asked.unknown, parts)
+
+
+def _unknown(path: Path, unknown: task.Unknown, parts: Parts) -> Iterator[Flaw]:
+    """Say what is wrong with an unknown force: where it acts, its direction, what it cannot go with."""
+    names, effects = parts.names, parts.said["effects"]
+    if unknown.link not in names.bodies:
+        yield from no_link((*path, "link"), unknown.link, names)
+        return
+    yield from _bears(path, unknown, names, ("link",))
+    if unknown.direction == AGAINST:
+        says = said(
+            'it may act either way along its line; write direction = "along BC", or an angle'
+        )
+        yield Flaw((*path, "direction"), says)
+    if isinstance(unknown.direction, Along):
+        yield from _turning(path, unknown.direction, names)
+    if effects is not None and effects.friction:
+        says = said("friction is drawn for a drive that is balanced; leave friction or unknown out")
+        yield Flaw(path, says)
+    for other in ONE_TURN:
+        if other in parts.doc:
+            says = said(
+                "the graphs of [{other}] want all loads known; give it a scene of its own",
+                other=other,
+            )
+            yield Flaw(path, says)
 
 
 def _loads(loads: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
@@ -53,10 +81,26 @@ def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator
     if load.link not in names.bodies:
         yield from no_link((*path, "link"), load.link, names)
         return
+    yield from _bears(path, load, names, ("link", "from"))
+    if load.of is not None and load.of not in names.moving:
+        yield Flaw((*path, "of"), no_moving(load.of, names))
+    if isinstance(load.direction, Along):
+        if load.point is None:
+            says = said("a moment has no line of action; leave the direction out")
+            yield Flaw((*path, "direction"), says)
+        yield from _turning(path, load.direction, names)
+    yield from _pair(path, load, names)
+    yield from _size(path, load, count)
+
+
+def _bears(
+    path: Path, load: Said | task.Unknown, names: Outline, keys: tuple[str, ...]
+) -> Iterator[Flaw]:
+    """Say what is wrong with the links that a load acts on, by ``keys``, and with its point."""
     if load.link == names.frame:
         says = said("link {number} is the frame; name a moving link", number=load.link)
         yield Flaw((*path, "link"), says)
-    for key in ("link", "from"):
+    for key in keys:
         number = getattr(load, key)
         welded = names.bodies[number].welded if number in names.bodies else None
         if welded is not None:
@@ -73,12 +117,6 @@ def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator
         says = said('"{letter}" is no letter of {of}', letter=load.point[:20], of=of)
         what = said("letters of {of}", of=of)
         yield Flaw((*path, "point"), letters.unknown(says, load.point, own, what))
-    if load.of is not None and load.of not in names.moving:
-        yield Flaw((*path, "of"), no_moving(load.of, names))
-    if isinstance(load.direction, Along):
-        yield from _turning(path, load, names)
-    yield from _pair(path, load, names)
-    yield from _size(path, load, count)
 
 
 def _pair(path: Path, load: Said, names: Outline) -> Iterator[Flaw]:
@@ -130,11 +168,9 @@ def _other_point(path: Path, load: Said, own: tuple[str, ...]) -> Iterator[Flaw]
         yield Flaw((*path, "direction"), says)
 
 
-def _turning(path: Path, load: Said, names: Outline) -> Iterator[Flaw]:
+def _turning(path: Path, along: Along, names: Outline) -> Iterator[Flaw]:
     """Say what is wrong with a direction that turns with the links: of two letters, or of a guide."""
-    at, line = (*path, "direction"), load.direction.line
-    if load.point is None:
-        yield Flaw(at, said("a moment has no line of action; leave the direction out"))
+    at, line = (*path, "direction"), along.line
     pair = letters.split(line)
     if pair is not None and set(pair) <= set(names.letters):
         if pair[0] == pair[1]:

@@ -21,6 +21,8 @@ from graphic_tmm.readers.protocol import Protocols
 
 PLAN = FORCES
 
+TOOL, ADVANTAGE = "P_tool", "advantage"
+"""The columns of a force that is sought at a tool: it, and how many times the force at the drive it is."""
 BALANCES = ("_bal_forces", "_bal_lever")
 DIFFERENCE = "bal_difference"
 """How the segments end of what balances the crank by each method, and what tables call their difference, %."""
@@ -92,16 +94,27 @@ def _place(reaction: Reaction) -> list[_Row]:
 
 
 def balance_segments(made: Forces) -> dict[str, Mark]:
-    """Return what balances the crank, by the name of its column: by groups, by the lever."""
+    """Return what balances the crank, by the name of its column: by groups, by the lever.
+
+    Where a force at a tool is sought: that force, and what the groups leave at the drive.
+    """
     sign = "P" if made.order.balance == "force" else "M"
+    if made.tool is not None:
+        return {TOOL: made.tool.force.value, f"{sign}_bal_left": made.balance}
     marks = (made.balance, made.lever.balance)
     return {f"{sign}{end}": mark for end, mark in zip(BALANCES, marks, strict=True)}
 
 
 def _balance(made: Forces) -> list[_Row]:
     sign, unit = ("P", "N") if made.order.balance == "force" else ("M", "N·m")
-    rows = [
-        *(_Row(name, name, unit, mark) for name, mark in balance_segments(made).items()),
+    named = balance_segments(made).items()
+    if made.tool is None:
+        rows = [_Row(name, name, unit, mark) for name, mark in named]
+    else:
+        rows = [_Row(TOOL, made.tool.force.letter, "N", made.tool.force.value)]
+        rows.append(_Row(ADVANTAGE, made.tool.advantage.name, "", made.tool.advantage))
+        rows += [_Row(name, name, unit, mark) for name, mark in named if name != TOOL]
+    rows += [
         _Row(f"{sign}_{DIFFERENCE}", DIFFERENCE, "%", made.difference),
     ]
     for one in made.driven[1:]:

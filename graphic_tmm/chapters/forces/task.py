@@ -11,7 +11,7 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import OtherSections, Said, combined_key, key
 from graphic_tmm.scene.quantities import kept
-from graphic_tmm.scene.tables import Named
+from graphic_tmm.scene.tables import DeclaredTable, Named
 from graphic_tmm.scene.tasks import SectionKey
 from graphic_tmm.scene.units import GRAVITY, KGF
 
@@ -193,6 +193,20 @@ class Spring:
 
 
 @dataclass(frozen=True)
+class Unknown:
+    """An unknown force at a point of a link: with the loads that are given it balances the mechanism.
+
+    ``direction``: degrees from the x axis, or `Along`; the force is positive that way.
+    """
+
+    link: int = key(v.LINK_NUMBER, "the number of the link on which it acts", 3)
+    point: str = key(v.TEXT, "the letter of its point", "B")
+    direction: float | str | w.Along = key(
+        w.DIRECTION, "its direction, as that of a load; it is positive that way", "along BC"
+    )
+
+
+@dataclass(frozen=True)
 class Rubbed:
     """Coefficients of friction, radii of pins."""
 
@@ -232,7 +246,8 @@ class ForcesTask:
     a "moment". ``couples``: on the lever as "moment" or as a "pair" of forces. ``single``: links whose inertia
     force and couple are replaced by one force. ``limit``: of the difference of both methods, %. ``mu``: N/mm
     of every polygon; None for standard ones. ``g``: of weights, m/s². ``gas``: the
-    indicator diagram whose gas pushes the piston.
+    indicator diagram whose gas pushes the piston. ``unknown``: the force that balances the loads, what drives
+    being left with nothing.
     """
 
     positions: tuple[str, ...] = combined_key(
@@ -259,6 +274,11 @@ class ForcesTask:
         v.mu("scale of forces"), "N/mm, of every polygon", "40 N/mm", None,
         written="mu_F", fixes="size",
     )  # fmt: skip
+    unknown: Unknown | None = key(
+        DeclaredTable(Unknown),
+        "a force at a tool that is sought; the loads are given, that of the drive among them",
+        default=None,
+    )
     g: float = GRAVITY
 
     @property

@@ -13,7 +13,8 @@ from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import letters, varies, with_opposites
 from graphic_tmm.chapters.forces.spring_signs import draw_ink, letter_of, middle
 from graphic_tmm.chapters.forces.springs import ends_of, numbers
-from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load, Spring, Travel
+from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load, Spring, Travel, Unknown
+from graphic_tmm.chapters.forces.tool import letter_of as sought_letter
 from graphic_tmm.chapters.forces.travel import begins_at_zero
 from graphic_tmm.chapters.indicator import given as gas
 from graphic_tmm.language.catalogue import speaking
@@ -44,13 +45,31 @@ def polygons(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the reactions and the balancing force."""
     _ = speaking(language)
     yield wanted_positions(scene, language) or _(_EVERYWHERE)
-    yield _(_POLYGONS)
+    yield _(_POLYGONS if _sought(scene) is None else _TOOL)
+
+
+def lever(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the lever."""
+    yield speaking(language)(BY_LEVER if _sought(scene) is None else _TOOL_BY_LEVER)
+
+
+def _sought(scene: Scene) -> Unknown | None:
+    order = ASKED.of(scene)
+    return order.unknown if order is not None else None
 
 
 _EVERYWHERE = said("Forces are found in all positions.")
 _POLYGONS = said(
     "Reactions in all pairs are found by polygons of forces, group by group; the balancing force is found."
 )
+_TOOL = said(
+    "With the unknown force that the lever gives, reactions in all pairs are found by polygons of forces, "
+    "group by group; what drives must be left with nothing to balance it."
+)
+_TOOL_BY_LEVER = said(
+    "The unknown force and the mechanical advantage are found by Zhukovsky's lever."
+)
+BY_LEVER = said("The balancing force is found by Zhukovsky's lever as well.")
 _SHARE = said("{letter} by the travel of point {point}, from the zero position")
 _SHARE_OUTER = said(
     "{letter} by the travel of point {point}, from its dead centre away from the crank"
@@ -144,6 +163,9 @@ def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
                 yield _moment(posed, other, back, mechanism.by_number[number])
     for index, spring in zip(numbers(order.springs), order.springs, strict=True):
         yield _spring(posed, spring, mechanism, index)
+    if (sought := order.unknown) is not None:
+        way = _way(posed, sought, sought.point, mechanism)
+        yield _force(posed, sought_letter(sought), sought.link, sought.point, way)
     yield from gas.acting(order.gas, scene, posed)
 
 
@@ -157,7 +179,7 @@ def _spring(posed: Posed, spring: Spring, mechanism: Mechanism, index: str) -> A
     return Acting(tuple(one._replace(part="load") for one in strokes), (told,))
 
 
-def _way(posed: Posed, load: Load, point: str, mechanism: Mechanism) -> complex:
+def _way(posed: Posed, load: Load | Unknown, point: str, mechanism: Mechanism) -> complex:
     """Return the direction of a force; 0 of a resistance at a point that stands."""
     match load.direction:
         case Along():
@@ -216,5 +238,5 @@ TASK_SHEET = TaskSheet(
     stated=stated,
     listed=listed,
     acting=acting,
-    wanted={"forces": polygons},
+    wanted={"forces": polygons, "lever": lever},
 )

@@ -137,7 +137,7 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
     on, decimals = subject(drawn, "", "lever"), decimals_told(drawn)
 
     def lever(place: int) -> Drawing:
-        return draw_lever_ink(on, made.lever, place, decimals, helping=False)
+        return draw_lever_ink(on, made.lever, place, decimals, False, made.tool)
 
     yield Moving(
         "lever",

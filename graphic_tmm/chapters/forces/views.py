@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -12,14 +12,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.friction import below, pin_sentences
-from graphic_tmm.chapters.forces.ink_balances import (
-    Row,
-    Writer,
-    draw_balances,
-    driver_rows,
-    group_rows,
-    lever_rows,
-)
+from graphic_tmm.chapters.forces.ink_balances import Writer, driver_rows, group_rows, lever_rows
+from graphic_tmm.chapters.forces.ink_equations import Row, draw_balances
 from graphic_tmm.chapters.forces.ink_groups import GroupFigure, Reactive, Rubbed, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
@@ -30,6 +24,7 @@ from graphic_tmm.chapters.forces.spring_diagrams import spring_views, springs_on
 from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_columns
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
+from graphic_tmm.chapters.forces.tool import Tool
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.along import AlongGuide, AlongGuides
@@ -219,12 +214,14 @@ def driver_shown(drawn: Drawn, made: Forces, driven: Driven) -> GroupFigure:
     alone = driven.alone
     assert alone is not None
     link, reaction = driven.pair.link, alone.reaction
-    forces = [*made.acting.forces.get(link, []), *([driven.force] if driven.force else [])]
+    # where a force at a tool is sought, what the groups leave at the drive is an error, no load
+    force, couple = (driven.force, driven.couple) if made.tool is None else (None, None)
+    forces = [*made.acting.forces.get(link, []), *([force] if force else [])]
     found = Reactive(reaction.letter, alone.about, reaction.tail, reaction.head)
     couples = list(made.acting.couples.get(link, []))
-    if driven.couple is not None:
-        couples.append(driven.couple)
-    balance = (driven.force.line, alone.arm) if driven.force and alone.arm is not None else None
+    if couple is not None:
+        couples.append(couple)
+    balance = (force.line, alone.arm) if force and alone.arm is not None else None
     return GroupFigure(
         alone.figure, (link,), forces, couples, [found], _rubbed(drawn, made, (link,)), balance
     )
@@ -240,7 +237,7 @@ def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     for place in _places(drawn):
         name, at = drawn.names[place], f"{words['position']} {escape(drawn.names[place])}"
         on = subject(drawn, f"{words['lever']}, {at}", "lever", name=f"lever-{name}")
-        view = draw_lever_ink(on, made.lever, place, decimals_told(drawn))
+        view = draw_lever_ink(on, made.lever, place, decimals_told(drawn), tool=made.tool)
         larger = number(drawn.value(made.lever.times), language)
         times = _("enlargement {k} = {larger}", k=made.lever.times.name, larger=larger)
         lines = [f"{scale}, {times}, {_('forces not to scale')}", *_verdict(drawn, made, place)]
@@ -270,6 +267,8 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
         f"{words[f'{key}_bal_{way}']} = {number(value, language)} {of}"
         for way, value in found.items()
     ]
+    if made.tool is not None:
+        both = _sought(drawn, made.tool, at) + both[:1]
     row, limit = drawn.reading[made.difference][0], made.order.limit
     apart = float(row[place if row.size > 1 else 0])
     if not math.isfinite(at(made.difference)):
@@ -278,6 +277,16 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
     told, sign = fixed(apart, places, language), "≤" if round(apart, places) <= limit else ">"
     judged = f"Δ = {told} % {sign} {number(limit, language, 2)} %"
     return [", ".join(both), judged]
+
+
+def _sought(drawn: Drawn, tool: Tool, at: Callable[[Mark], float]) -> list[str]:
+    """Return the force at a tool, and how many times the force at the drive it is."""
+    language = drawn.scene.language
+    marks = ((tool.force.value, tool.force.letter, "N"), (tool.advantage, tool.advantage.name, ""))
+    return [
+        f"{symbol(letter, language)} = {number(at(mark), language)} {unit(of, language)}".rstrip()
+        for mark, letter, of in marks
+    ]
 
 
 def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:

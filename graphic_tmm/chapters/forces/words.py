@@ -18,6 +18,8 @@ CAPTIONS: dict[str, str] = {
     "P_bal_lever": said("P_{b}^{Zh}"),
     "M_bal_forces": said("M_{b}"),
     "M_bal_lever": said("M_{b}^{Zh}"),
+    "P_bal_left": said("P_{b}"),
+    "M_bal_left": said("M_{b}"),
     "bal_difference": said("Δ"),
     "bal_open": said("Δ_{friction}"),
 }

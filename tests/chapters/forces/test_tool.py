@@ -1,0 +1,163 @@
+"""An unknown force at a tool: against the judge of all links, by its power, at a dead place, in words."""
+
+from __future__ import annotations
+
+import random
+import tomllib
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from support.against_judge import clear, page_is_right, parameter, ways
+from support.free_bodies import Judge
+from support.free_forces import statics
+from support.random_mechanisms import KINDS, Random, drawn
+
+import graphic_tmm
+from graphic_tmm.errors import TmmError
+
+CLAMP = """
+title = "Clamp"
+language = "en"
+[frame]
+O = [0, 0]
+x = { through = [0, 0], angle = "0 deg" }
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.1, 0] }
+[[link]]
+number = 2
+points = { A = [0, 0], B = [0.3, 0] }
+[[link]]
+number = 3
+points = { B = [0, 0] }
+slides = { on = "frame", along = "x", side = "right" }
+[drive]
+link = 1
+speed = 1
+extra = ["1 deg"]
+[[load]]
+link = 1
+moment = "10 N*m"
+[forces]
+positions = "all"
+balance = "moment"
+unknown = { link = 3, point = "B", direction = "along x" }
+"""
+
+
+RUBS = "[effects]\nfriction = true\n[friction]\nf = 0.1\nradius = 0.01\n[forces]"
+
+
+def with_tool(found: Random, seed: int) -> dict[str, Any]:
+    """The scene of a random mechanism with an unknown force somewhere on a moving link."""
+    pick = random.Random(seed)
+    body = pick.choice([b for b in found.judge.words.bodies if f"S{b.number}" in b.points])
+    way = pick.choice((f"{pick.uniform(-180, 180)!r} deg", f"along S{body.number}{_fixed(found)}"))
+    unknown = {"link": body.number, "point": f"S{body.number}", "direction": way}
+    scene = found.row(found.walked[0][0], found.walked[-1][0], 6)
+    kind = {} if found.judge.drives[0].kind == "turn" else {"balance": "force"}
+    return scene | {"forces": scene["forces"] | {"unknown": unknown} | kind}
+
+
+def _fixed(found: Random) -> str:
+    return next(x for x, told in found.scene["frame"].items() if isinstance(told, list))
+
+
+def loaded(scene: Mapping[str, Any], size: float) -> Judge:
+    """The judge of a scene with a given force in place of the unknown one."""
+    force = {**scene["forces"]["unknown"], "force": size}
+    return Judge({**scene, "load": [*scene.get("load", ()), force]})
+
+
+def judged(kinds: tuple[str, ...], drive: str, seed: int) -> int:
+    """Compare all that is told in some places; return how many were."""
+    found = next(r for k in range(9) if (r := drawn(seed + 1000 * k, (drive,), len(kinds), kinds)))
+    scene, row, compared = with_tool(found, seed), ways(found, 4), 0
+    zero = found.walked[0 if found.judge.drives[0].rate > 0 else -1][0]
+    at = [parameter(found, way) for way in row]
+    motion = graphic_tmm.motion(graphic_tmm.read(scene), at, exact=True, plans=("forces",))
+    for k, way in enumerate(row):
+        state = found.solved(way)
+        if not clear(found, state):
+            continue
+        turned = float(np.degrees(way - zero) * np.sign(found.judge.drives[0].rate))
+        none, unit = (statics(loaded(scene, size), state, turned) for size in (0.0, 1.0))
+        per_newton = unit.drives[0] - none.drives[0]
+        if abs(per_newton) < 1e-3:  # near a dead place of the tool
+            continue
+        due = -none.drives[0] / per_newton
+        right = statics(loaded(scene, due), state, turned)
+        assert abs(right.power) < 1e-9
+        largest = max(right.largest, abs(due))
+        assert abs(motion.balance["P_tool"][k] - due) <= 1e-8 * largest, (seed, k)
+        for name, values in motion.forces.items():
+            i, j = name.removeprefix("R").replace(",", "")
+            assert abs(values[k] - right.reactions[int(i), int(j)]) <= 1e-8 * largest, (seed, name)
+        (left,) = (values for name, values in motion.balance.items() if name.endswith("_bal_left"))
+        assert abs(left[k]) <= 1e-8 * largest * max(1.0, found.judge.size)
+        compared += 1
+    return compared
+
+
+@pytest.mark.parametrize("drive", ["crank", "slider", "rod"])
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_kind_of_group(kind: str, drive: str) -> None:
+    assert judged((kind,), drive, 1) > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("drive", ["crank", "slider", "rod"])
+def test_random_chains_of_groups(drive: str) -> None:
+    pick = random.Random(5)
+    compared = [
+        judged(tuple(pick.choices(KINDS, k=1 + seed % 4)), drive, seed) for seed in range(40)
+    ]
+    assert sum(compared) > 80
+
+
+def test_power_and_advantage_and_a_dead_place() -> None:
+    sheet = graphic_tmm.draw(graphic_tmm.read(CLAMP), exact=True)
+    table, speeds = sheet.table("forces"), sheet.table("velocities")
+    force, gain = table["P_tool"].value[0], table["advantage"].value[0]
+    v = speeds["pb"].value[0]
+    k = [*range(1, 6), *range(7, 13)]
+    np.testing.assert_allclose(np.abs(force[k]) * v[k], 10.0, rtol=1e-9)
+    np.testing.assert_allclose(gain[k], 0.1 / v[k], rtol=1e-9)
+    np.testing.assert_allclose(np.abs(table["M_bal_left"].value[0][k]), 0.0, atol=1e-9)
+    assert force[1] > 0
+    assert force[7] < 0
+    assert abs(force[12]) > 4000
+    assert np.isnan(force[[0, 6]]).all()
+    says = "the point of the unknown force does not move along it"
+    assert any(says in warning and "0, 6" in warning for warning in sheet.warnings)
+
+
+def test_readings_leave_little_at_the_drive() -> None:
+    table = graphic_tmm.draw(graphic_tmm.read(CLAMP.replace('"all"', "[1, 2, 4]"))).table("forces")
+    apart = table["M_bal_difference"].value[0]
+    assert 0.0 < np.nanmax(apart) < 2.0
+
+
+def test_the_page_works_its_steps(tmp_path: Path) -> None:
+    page_is_right(tomllib.loads(CLAMP.replace('"all"', "[1, 2]")), tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("put", "instead", "says"),
+    [
+        ("unknown = { link = 3", "unknown = { link = 0", "link 0 is the frame"),
+        ("unknown = { link = 3", "unknown = { link = 9", "there is no link 9"),
+        ('point = "B", d', 'point = "C", d', "is no letter of link 3"),
+        ('"along x" }', '"against velocity" }', "either way along its line"),
+        ('"along x" }', '"along q" }', "neither two letters"),
+        ("link = 3, point = \"B\"", "link = 1, point = \"O\"", "O stands still"),
+        ("[forces]", RUBS, "leave friction or unknown out"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_sought_is_refused(put: str, instead: str, says: str) -> None:
+    assert put in CLAMP
+    with pytest.raises(TmmError, match=says):
+        graphic_tmm.draw(graphic_tmm.read(CLAMP.replace(put, instead))).table("forces")
