@@ -226,3 +226,8 @@ class Row:
     turns: int = 1
     ends: tuple[float, float] | None = None
     places: tuple[float, ...] = ()
+
+    @property
+    def open(self) -> bool:
+        """Whether it does not go on over a whole turn."""
+        return self.ends is not None or bool(self.places)

@@ -50,7 +50,7 @@ from graphic_tmm.readers.columns import Column, Tabled, known_at
 from graphic_tmm.readers.position_count import Finer, FinerRow, finer, is_sampled, sampled, told_off
 from graphic_tmm.readers.rounding import ROUGH, Figures, rounded, rounded_figures
 from graphic_tmm.readers.text import column_name
-from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.captions import captions, moving_or_not
 from graphic_tmm.scene.chapter import Chapter, Place
 
 ACROSS = 13
@@ -159,7 +159,8 @@ def columns(drawn: Drawn, some: Iterable[Column], language: str) -> Iterator[Tab
         cells = [one.without(drawn.undrawn) if not at else one for one in group]
         names = [name for name, _ in at] or list(drawn.names)
         shown = known_at(cells)
-        title = words.get(f"table {plan}", words.get(plan, plan))
+        table = f"table {plan}" if f"table {plan}" in words else plan
+        title = moving_or_not(words, table, drawn.scene.at_rest)
         if not shown:
             continue
         count = -(-len(shown) // ACROSS)

@@ -32,6 +32,7 @@ from graphic_tmm.note.document import (
 from graphic_tmm.note.section_chapter import page_of
 from graphic_tmm.readers.exactness import deviations
 from graphic_tmm.readers.findings import warnings
+from graphic_tmm.readers.task_sheet import given_rows
 from graphic_tmm.readers.text import result_name
 from graphic_tmm.scene.captions import Named, captions
 
@@ -80,6 +81,8 @@ def _sentence(told: str) -> str:
 
 SYMBOLS, MEANING = said("Symbols"), said("Meaning")
 SYMBOL, UNIT = said("Symbol"), said("Unit")
+RPM = "rpm"
+"""The unit of what is given in turns a minute only: its letter, n, stands for other things too."""
 _STEM = re.compile(r"[^\W\d_]+")
 _WORD = re.compile(r"_\{?[a-z]{2,}")
 """An index that is a word, which tells one quantity: others stand for any point or link."""
@@ -93,10 +96,11 @@ def symbol_list(made: DrawnScene, blocks: Sequence[Block], language: str) -> Ite
     stems = {stem for one in letters for stem in _STEM.findall(one)}
     rows: dict[str, tuple[Runs, ...]] = {}
     for drawn in made.boards:
+        in_turns = any(row.unit == RPM for row in given_rows(made.scene, drawn.board))
         for chapter in drawn.project.chapters:
             for letter, meaning, of in Named.of(chapter).symbols:
                 called, stem = symbol(letter, language), _STEM.match(letter)
-                there = stem is not None and stem[0] in stems
+                there = stem is not None and stem[0] in stems and (of != RPM or in_turns)
                 if there and (not _WORD.search(letter) or plain(called) in letters):
                     cells = text(_(meaning)), text(unit(of, language) or "—")
                     rows.setdefault(f"{letter} {meaning}", ((Symbol(called),), *cells))

@@ -18,7 +18,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import examine, step_number
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark, again, kept
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.values import Angle, Reals
 from graphic_tmm.drawn import Drawn, Findings, Numbers
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Turn, Turning, open_row
@@ -57,7 +57,7 @@ def dense(drawn: Drawn) -> Dense | None:
     log = drawn.construction
     sheet = drawn if _exact(drawn) else drawn.drawn_by(EXACT)
     by = next((mark for mark in log.given if mark.role == roles.ROW), None)
-    if by is None:
+    if by is None or by.kind is not Angle:
         return None
     turned, span, whole, at = _turned(drawn, by)
     numbers = np.abs(turned) * drawn.project.count / whole

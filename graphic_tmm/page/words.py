@@ -159,6 +159,7 @@ PARTS: dict[str, str] = {
     "roller": said("rollers"),
     "sense": said("senses of rotation"),
     "slider": said("sliders"),
+    "sliding": said("sense of what slides"),
     "stone": said("stones"),
     "tooth": said("teeth"),
     "turning": said("sense of the crank"),

@@ -22,7 +22,7 @@ from graphic_tmm.readers.columns import (
     known_at,
 )
 from graphic_tmm.readers.rounding import rounded_figures
-from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.captions import captions, moving_or_not
 
 SIZE = 3.5
 """Sizes of lettering, mm (ГОСТ 2.304)."""
@@ -35,12 +35,14 @@ def result_table(
     language: str,
     *,
     upright: bool = False,
+    at_rest: bool = False,
     heights: Heights = HEIGHTS["A4"],
 ) -> Drawing:
     """Return the table of a plan: rows of segments (mm and quantity) and rates, columns of positions.
 
     ``upright``: a row for each position instead. A table that no sheet holds whole is broken into blocks, or
-    turned the other way, whichever gives fewer. ``heights``: those of its place.
+    turned the other way, whichever gives fewer. ``heights``: those of its place; ``at_rest``: the mechanism
+    stands.
     """
     words = captions(language)
     shown = known_at(columns)
@@ -54,7 +56,8 @@ def result_table(
         cells = [fixed(figures.value[k], figures.places, language) for k in shown]
         rows.append([letter, unit(column.unit, language), *cells])
     heads = [words["value"], words["unit"], *(escape(names[k]) for k in shown)]
-    name, title, again = f"table-{plan}", words[f"table {plan}"], words["continued"]
+    name, again = f"table-{plan}", words["continued"]
+    title = moving_or_not(words, f"table {plan}", at_rest)
     ruled = partial(
         breakable, name, title, again=again, size=heights.number, title_size=heights.title
     )

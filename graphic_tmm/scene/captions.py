@@ -66,6 +66,11 @@ def captions(language: str) -> Words:
     return Words(ChainMap(COMMON, *declared), speaking(language), _result)
 
 
+def moving_or_not(words: Mapping[str, str], name: str, at_rest: bool) -> str:
+    """Return what is called so, of a mechanism that stands by a name of its own if it has that."""
+    return words.get(f"{name} at rest" if at_rest else name, words.get(name, name))
+
+
 def _result(name: str, speech: Speech) -> str:
     told = (Named.of(one).result(name, speech) for one in chapters())
     return next((text for text in told if text), "")

@@ -56,6 +56,11 @@ class Scene(Plans, Hand):
         tasks = "".join(f", [{name}]" for name, task in self.tasks.items() if task is not None)
         return f"<Scene {self.title!r} of {self.source}{links}{tasks}>"
 
+    @property
+    def at_rest(self) -> bool:
+        """Whether its mechanism stands."""
+        return self.mechanism is not None and self.mechanism.at_rest
+
     @cached_property
     def cache(self) -> dict[Any, Any]:
         """What follows from this scene alone and takes long to find, kept beside it by what it is called."""

@@ -55,8 +55,7 @@ def advance(zero: Angle, by: Angle) -> Angle:
 
 @formula(
     why=said(
-        "It slides evenly, so equal lengths are equal times; they are counted from the zero position in the "
-        "sense of the drive."
+        "What drives slides: how far it has come in each position is counted from where it is in the first."
     )
 )
 def run_out(zero: Number, by: Number) -> Number:
@@ -64,8 +63,8 @@ def run_out(zero: Number, by: Number) -> Number:
 
 
 _FOLLOWS = said(
-    "All drives go evenly: while the first goes on by {row} − {zero} from the zero position, this one goes "
-    "on by {ratio} times that from {start}."
+    "While the first drive goes on by {row} − {zero} from the first position, this one goes on by {ratio} "
+    "times that from {start}."
 )
 
 

@@ -88,7 +88,11 @@ def _tried(project: Project) -> dict[Mark, Trial]:
 
 def _effects(scene: Scene) -> Iterator[Effect]:
     if scene.mechanism is not None and scene.mechanism.drive.acceleration:
-        yield Effect(said("ε of the crank"), _steady)
+        drive = scene.mechanism.drive
+        turns = not drive.slides and not drive.rack
+        yield Effect(
+            said("ε of the crank") if turns else said("acceleration of the drive"), _steady
+        )
 
 
 def _steady(scene: Scene) -> Scene:

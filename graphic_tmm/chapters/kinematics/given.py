@@ -9,12 +9,13 @@ from graphic_tmm.board.draft import ROUNDING
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.language.units import small
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.masses import inertia_letter
 from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.narration import remark
-from graphic_tmm.readers.task_sheet import SIZE, Given
+from graphic_tmm.readers.task_sheet import SIZE, Given, given_figure
 from graphic_tmm.scene.records import Scene
 
 
@@ -31,8 +32,20 @@ def given(scene: Scene) -> Iterator[Given]:
     yield from _directions(mechanism)
     for pair in driven(mechanism, dissect(mechanism)):
         yield from pair.given()
+    if scene.row.ends is not None:
+        yield stroke(scene)
     yield from _masses(mechanism)
     yield Given("positions in a turn", scene.row.count)
+
+
+def stroke(scene: Scene) -> Given:
+    """Return what an open row goes through: from where to where (20…75°, 600…850 mm), or all its places."""
+    assert scene.mechanism is not None
+    sweep = driven(scene.mechanism, dissect(scene.mechanism))[0].sweep
+    between, some = ("…", scene.row.ends) if scene.row.ends else ("; ", scene.row.places)
+    sizes = [(one, "°") if sweep.turns else small(one, scene.language) for one in some]
+    figures = between.join(given_figure(size, scene.language) for size, _ in sizes)
+    return Given(sweep.letter, figures, sizes[0][1])
 
 
 def _lengths(mechanism: Mechanism) -> Iterator[tuple[str, float]]:

@@ -17,7 +17,7 @@ import shapely
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark
-from graphic_tmm.chapters.kinematics.bodies import CONTENTS, SLIDING, rigid
+from graphic_tmm.chapters.kinematics.figures import CONTENTS, SLIDING, rigid
 from graphic_tmm.chapters.kinematics.ink_cylinder import Placed, cylinder
 from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
 from graphic_tmm.paper.drawing import Ink, Stroke, circle, line

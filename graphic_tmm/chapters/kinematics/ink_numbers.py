@@ -19,7 +19,7 @@ import shapely
 
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.kinematics.bodies import SLIDING
+from graphic_tmm.chapters.kinematics.figures import SLIDING
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk, named
 from graphic_tmm.paper.drawing import Ink, Label, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import body

@@ -260,7 +260,7 @@ class PositionsInk(LinksInk):
             tail = at + off * beside - 0.5 * sense * LONG * way
             strokes = arrow(tail, tail + sense * LONG * way, "thin")
             wanted = Wanted(letter, at + off * beside, size, 1.0, beside, (end.slot,), main)
-            yield Arrow(tuple(body(strokes, "turning", (start, end), main)), wanted)
+            yield Arrow(tuple(body(strokes, "sliding", (start, end), main)), wanted)
 
     def _uses(self, mark: Mark) -> tuple[Mark, ...]:
         step = self.construction.step(mark)

@@ -17,9 +17,8 @@ from graphic_tmm.chapters.kinematics.bodies import (
     draw_guide,
     draw_points,
     stand,
-    tell_link,
-    tell_slide,
 )
+from graphic_tmm.chapters.kinematics.figures import tell_link, tell_slide
 from graphic_tmm.mechanism.guides import direction, level
 from graphic_tmm.mechanism.passive import Hold, holds
 from graphic_tmm.mechanism.records import Mechanism

@@ -12,17 +12,10 @@ from graphic_tmm.board.operations.instruments import ray
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import (
-    Body,
-    Positions,
-    anchor,
-    draw_points,
-    stand,
-    tell_group,
-    tell_link,
-)
+from graphic_tmm.chapters.kinematics.bodies import Body, Positions, anchor, draw_points, stand
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.dyads import Site, close
+from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
 from graphic_tmm.chapters.kinematics.passive import draw_passive
 from graphic_tmm.mechanism import records
 from graphic_tmm.mechanism.groups import Group, Pair, untreated

@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure
-from graphic_tmm.chapters.kinematics.bodies import rigid
+from graphic_tmm.chapters.kinematics.figures import rigid
 from graphic_tmm.chapters.kinematics.survey import Survey
 
 VIEW = "positions"

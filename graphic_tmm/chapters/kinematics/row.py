@@ -14,6 +14,7 @@ from graphic_tmm.board.operations.formulas import advance, run_out
 from graphic_tmm.board.operations.instruments import stand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Body
 from graphic_tmm.chapters.kinematics.extremes import OPPOSITE, draw_extreme
 from graphic_tmm.chapters.kinematics.survey import Survey
@@ -53,7 +54,8 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     turned[0, : row.count] = _steps(row, sense)[1]
     draft.open(VIEW)
     by = draft.take(Angle, "Δφ", turned, "°", roles.ROW)
-    phi = draft.draw(advance, "φ_{n}", zero, by, unit="°")
+    because = why.FROM_FIRST if row.open else ""
+    phi = draft.draw(advance, "φ_{n}", zero, by, unit="°", why=because)
     for place, mark in enumerate(extras):
         there = np.zeros((1, size))
         there[0, row.count + place] = 1.0

@@ -53,6 +53,11 @@ _POSITIONS = said(
     room=usual_room(PLAN),
     crank=CRANK,
 )
+_POSITIONS_WITHOUT_CRANK = said(
+    "The plan of positions takes {room}: shorter lengths than 20 mm are read to no better than 1 %.",
+    room=usual_room(PLAN),
+)
+"""The same where nothing driven has an arm."""
 _VECTORS = {
     VELOCITIES: said(
         "The longest vector takes {room}: half a division of the ruler is less than 1 % of what is longer than "
@@ -305,7 +310,8 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         mu_l = ledger.by_length(mu, arm, segments.length, wanted.OA)
     else:
         most = ledger.quantity("l_{max}", reach.positions, "m")
-        mu_l = ledger.fitting(mu, most, value_of(drawn, mu), lengths=True, why=_POSITIONS)
+        because = _POSITIONS if arm is not None else _POSITIONS_WITHOUT_CRANK
+        mu_l = ledger.fitting(mu, most, value_of(drawn, mu), lengths=True, why=because)
     if arm is not None and (not wanted.OA or wanted.mu_l):
         ledger.follows(segments.length, arm, mu_l)
     if made.velocities is None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.kinematics.given import given, stated, wanted_accelerations
+from graphic_tmm.chapters.kinematics.given import given, stated, stroke, wanted_accelerations
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.chapters.kinematics.scheme import scheme
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, POSITIONS, VELOCITIES, Rows
@@ -20,8 +20,7 @@ def positions(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the plan of positions, and for the paths of points."""
     _, row = speaking(language), scene.row
     extra = [f"{one:g}°" for one in row.extra if one != OTHER and not isinstance(one, str)]
-    told = _(_PLAN, n=row.count, first=str(row.first))
-    yield told
+    yield _row(scene, language)
     if OTHER in row.extra:
         yield _(_OTHER)
     if extra:
@@ -31,6 +30,16 @@ def positions(scene: Scene, language: str) -> Iterator[str]:
     asked = ASKED.of(scene)
     if asked is not None:
         yield from _rows(asked, language)
+
+
+def _row(scene: Scene, language: str) -> str:
+    """Ask for the positions of the row: of a whole turn, of a stroke, at places."""
+    _, row = speaking(language), scene.row
+    if not row.open:
+        return _(_PLAN, n=row.count, first=str(row.first))
+    letter, figures, of = stroke(scene)
+    told = f"{letter} = {figures}{'' if of == '°' else ' '}{unit(of, language)}"
+    return _(_PLACES if row.places else _STROKE, n=row.count, stroke=told, first=str(row.first))
 
 
 def _rows(asked: Rows, language: str) -> Iterator[str]:
@@ -102,6 +111,16 @@ _PLAN = said(
     "The plan of positions is drawn for {n} position of the crank; the first one bears the number {first}.",
     "The plan of positions is drawn for {n} equally spaced positions of the crank; the first one "
     "bears the number {first}.",
+)
+_STROKE = said(
+    "The plan of positions is drawn for {n} position, {stroke}; it bears the number {first}.",
+    "The plan of positions is drawn for {n} positions in equal steps, {stroke}; the first one "
+    "bears the number {first}.",
+)
+_PLACES = said(
+    "The plan of positions is drawn for {n} position at {stroke}; it bears the number {first}.",
+    "The plan of positions is drawn for {n} positions at {stroke}; the first one bears the number "
+    "{first}.",
 )
 _OTHER = said("The other extreme position is drawn as well.")
 _ANGLES = said(

@@ -107,9 +107,8 @@ def given_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def velocity_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of velocities of each position, or of all of them from a common pole."""
     _, words = speaking(drawn.scene.language), captions(drawn.scene.language)
-    mechanism = drawn.scene.mechanism
-    if mechanism is not None and mechanism.at_rest:
-        one, several = _("Plan of possible velocities"), _("Plans of possible velocities")
+    if drawn.scene.at_rest:
+        one, several = words[f"{VELOCITIES} at rest"], _("Plans of possible velocities")
         return _plans(VELOCITIES, one, several, drawn, lettered)
     if drawn.scene.turned:
         return _plans(
@@ -204,7 +203,8 @@ def _table(plan: str, drawn: Drawn, place: str) -> list[Drawing]:
     if not rows or drawn.of(plan) is None:
         return []
     high = heights(drawn.scene, place, "results")
-    return [result_table(plan, rows, drawn.names, drawn.scene.language, heights=high)]
+    language, rests = drawn.scene.language, drawn.scene.at_rest
+    return [result_table(plan, rows, drawn.names, language, heights=high, at_rest=rests)]
 
 
 def plan_at(

@@ -15,6 +15,8 @@ CAPTIONS: dict[str, str] = {
     "table positions": said("Positions from the plans"),
     "table velocities": said("Velocities from the plans"),
     "table accelerations": said("Accelerations from the plans"),
+    "velocities at rest": said("Plan of possible velocities"),
+    "table velocities at rest": said("Possible velocities from the plans"),
     "positions in a turn": said("Positions"),
 }
 
@@ -42,6 +44,7 @@ WORDS = Named(
 
 
 FRAME_AXIS = said("The points of the fixed link are laid off from {start} along this axis.")
+FROM_FIRST = said("The angles of the positions are counted from that of the first.")
 CRANK = said("The crank turns about {start}: in each position it stands at its own angle.")
 DRIVEN_GUIDE = said("What drives slides along this guide, which is fixed.")
 FROM_ITS_LINE = said("It is laid off from where the line of the guide is drawn from.")

@@ -34,8 +34,17 @@ MOVING = said(
 ONE_DRIVE = said(
     "One link has to be driven: link {link}. Without it and the frame there remain groups of zero mobility."
 )
+SEVERAL_DRIVES = said(
+    "Several links have to be driven: links {links}. Without them and the frame there remain groups of zero "
+    "mobility."
+)
+TELESCOPED = said(
+    "A rod and its cylinder are one link of a group, as long as the drive makes it; in the cylinder the rod "
+    "moves with one freedom."
+)
 GROUP = said("group {name}: class II, order 2, kind {kind}")
 DRIVEN = said("driving link {name}: class I")
+DRIVEN_ROD = said("rod in its cylinder {name}: class I")
 ATTACHED = said("The parts are shown in {} in the order of their attachment; the mobility of each:")
 LINKS, PAIRS = said("Links of the mechanism"), said("Kinematic pairs of the mechanism")
 
@@ -76,12 +85,19 @@ class StructurePage(Page[Structure]):
         n, p5, _higher = whole.uses
         yield self.says(MOVING, n=n, p=p5)
         yield from self.worked_out(found.whole)
-        yield self.says(ONE_DRIVE, link=structure.first.link)
+        driven = structure.driven
+        if len(driven) == 1:
+            yield self.says(ONE_DRIVE, link=structure.first.link)
+        else:
+            yield self.says(SEVERAL_DRIVES, links=", ".join(str(one.link) for one in driven))
+        rods = {one.name for one in driven if one.telescopes}
+        if rods:
+            yield self.says(TELESCOPED)
         kinds = {group.name: group.kind for group in class_two(structure.groups, PARTS)}
         titles = [
             self.sentence(GROUP, name=name, kind=kinds[name])
             if name in kinds
-            else self.sentence(DRIVEN, name=name)
+            else self.sentence(DRIVEN_ROD if name in rods else DRIVEN, name=name)
             for name in found.parts
         ]
         shown = zip(self.figures(*self.pictures), titles, strict=True)

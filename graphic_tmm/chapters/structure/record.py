@@ -38,8 +38,11 @@ MOBILITY: Recorded[Mobility] = Recorded(aside("structure"))
 
 
 def parts(structure: Structure) -> dict[str, tuple[int, int]]:
-    """Return how many links and pairs the driving link and each group has, by the numbers of its links."""
-    found = {one.name: (1 + one.telescopes, 1) for one in structure.driven}
+    """Return how many links and pairs each driving link and each group has, by the numbers of its links.
+
+    A rod counts as a link that moves in its cylinder: both together are one link of a group.
+    """
+    found = {one.name: (1, 1) for one in structure.driven}
     return found | {group.name: (2, 3) for group in class_two(structure.groups, STRUCTURE)}
 
 

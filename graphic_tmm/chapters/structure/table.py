@@ -116,6 +116,7 @@ WORDS = Tongues(
         "group": said("Group {name}: class II, order 2, kind {kind}"),
         "class of group": said("Group {name}, class II"),
         "class of link": said("Driving link {name}, class I"),
+        "class of rod": said("Rod in its cylinder {name}, class I"),
         "class II": said("The mechanism is of class II: that of its highest group"),
         "class I": said("The mechanism is of class I: it has no groups"),
     }

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 
 from graphic_tmm.board.record import Figure
-from graphic_tmm.chapters.kinematics.bodies import SLIDING
+from graphic_tmm.chapters.kinematics.figures import SLIDING
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR
@@ -87,9 +87,11 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     structure = dissect(drawn.scene.mechanism)
     words, found = WORDS[drawn.scene.language], []
     groups = {group.name for group in class_two(structure.groups, PARTS)}
+    rods = {one.name for one in structure.driven if one.telescopes}
     for name, (n, p5) in parts(structure).items():
         links = [int(one) for one in name.split("-")]
-        told = words["class of group" if name in groups else "class of link"].format(name=name)
+        kind = "group" if name in groups else "rod" if name in rods else "link"
+        told = words[f"class of {kind}"].format(name=name)
         on = subject(drawn, told, PARTS, name=f"part-{name}")
         view = draw_part(on, reaches(drawn), links, drawn.main)
         w = drawn.reading[made.parts[name]].item()

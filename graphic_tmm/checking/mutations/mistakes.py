@@ -130,6 +130,8 @@ def _all(
 
 
 def _of(marks: Sequence[Mark], value: object) -> Iterator[Mutation]:
+    if marks[0].role == roles.ROW and marks[0].kind is not Angle:
+        return
     if marks[0].role == roles.ROW:
         yield _all(CRANK, OTHER_WAY, marks, -1.0)
         for plus in (180.0, 90.0, -90.0, *_interval(value)):

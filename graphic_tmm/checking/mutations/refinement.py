@@ -14,7 +14,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Arc, Length, Number, Point
+from graphic_tmm.board.values import Angle, Arc, Length, Number, Point
 from graphic_tmm.checking.cells import Key
 from graphic_tmm.checking.judging.step_scatter import as_read, where_read
 from graphic_tmm.checking.mutations import words
@@ -269,7 +269,8 @@ def put_amiss(readings: Readings, offered: Offered) -> tuple[list[Mutation], Evi
     The first row is the log as it is; then the positions of which that explains most.
     """
     base = offered.base
-    marks = [mark for mark in base.log.given if mark.role == roles.ROW and mark in base.given]
+    rows = [mark for mark in base.log.given if mark.role == roles.ROW and mark.kind is Angle]
+    marks = [mark for mark in rows if mark in base.given]
     trial = [NONE, *(amiss_by([mark], STANDS[0]) for mark in marks)]
     if not marks or offered.moving(readings.least, offered.run(trial), readings.signed).size < 2:
         return [], Evidence.none(1, readings.places)

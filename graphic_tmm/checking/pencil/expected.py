@@ -40,7 +40,7 @@ RING = 2.5
 """A small sign (a ring, a head) belongs to the point that it is about, so near, mm."""
 FILLED = (0.75, 0.5, 0.25)
 """A filled sign, a head, is pencil on lines about its edges, so many times as large."""
-ASIDE = ("leader", "number", "dimension", "hatching", "turning", "axis")
+ASIDE = ("leader", "number", "dimension", "hatching", "turning", "sliding", "axis")
 """Parts of a view that name its points, and are none of their signs."""
 LINES = ("", "link", "guide")
 """Parts of a view whose strokes are lines of its construction."""

@@ -18,7 +18,7 @@ from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import views
-from graphic_tmm.chapters.kinematics.bodies import CONTENTS
+from graphic_tmm.chapters.kinematics.figures import CONTENTS
 from graphic_tmm.chapters.kinematics.ink_numbers import CLOSE, together
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
