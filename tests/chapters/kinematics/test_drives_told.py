@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 
 import pytest
-from support.drive_scenes import SCENES, amiss, told
+from support.words_of_drives import SCENES, amiss, told
 
 
 @pytest.mark.slow
