@@ -80,9 +80,10 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet]) -> Turned | None:
     data = {
         "whole": found.whole,
         "step": STEP,
-        "sense": 1 if found.turned[1] > 0 else -1,
+        "sense": 1 if found.per > 0 else -1,
         "zero": _place(float(found.angles[0])),
-        "more": [_place(float(t)) for t in np.abs(found.turned[found.whole :])],
+        "more": [_place(float(t)) for t in found.frames[found.whole :]],
+        **_ends(found, language),
         "positions": [[name, at] for name, at in zip(drawn.names, found.at, strict=True)],
         "why": _why(found),
         "decimal": decimal_sign(language),
@@ -97,6 +98,22 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet]) -> Turned | None:
         "lengths": [row.size for row in rows],
     }
     return Turned(data, packed(rows))
+
+
+def _ends(found: Dense, language: str) -> dict[str, Any]:
+    """Return of a row with ends what its place is called, its unit, and how far each step goes in that."""
+    if not found.ends:
+        return {}
+    sweep = found.sweep
+    many, of = (1.0, "°") if sweep.turns else (1000.0, "mm")
+    return {
+        "ends": {
+            "letter": indexed(symbol(sweep.name or sweep.letter, language)),
+            "unit": of if sweep.turns else f" {unit(of, language)}",
+            "from": _place(many * float(found.angles[0])),
+            "per": many * found.per,
+        }
+    }
 
 
 def _moving(drawn: Drawn) -> Iterator[Moving]:
@@ -190,7 +207,9 @@ def _figure(
     if still is not None:
         data["still"] = [[one.pen, path_data(one, 0.0)] for one in still.strokes]
         data["stands"] = [glyphs.label(label) for label in still.labels]
-    if moving.crank is not None:
+    if moving.crank is not None and not found.sweep.turns:
+        data["crank"] = []
+    elif moving.crank is not None:
         pivot, pin = (np.ravel(found.drawn.reading[mark])[0] for mark in moving.crank)
         data["crank"] = [round(float(x), 3) for x in (pivot.real, pivot.imag, abs(pin - pivot))]
     return data

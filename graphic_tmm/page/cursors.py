@@ -98,7 +98,7 @@ def _read(log: Construction, step: Step, chart: Chart) -> Mark | None:
 def _spots(dense: Dense, log: Construction, step: Step, reading: Reading) -> tuple[Complexes, bool]:
     """Return where on a curve every angle stands, mm of its view, and whether it stands over a base."""
     count = dense.drawn.project.count
-    numbers = np.abs(dense.turned) * count / dense.whole
+    numbers = dense.numbers
     curve: Curve = reading[step.it]
     axes = next((f for f in log.figures if f.kind == "axes" and f.view == step.it.view), None)
     through = step.uses[0]

@@ -1,4 +1,6 @@
-"""A mechanism at every degree of its crank: the same log, executed by the exact hand at so many angles more.
+"""A mechanism at every degree of its crank, or at as many steps of a row that is no whole turn.
+
+It is the same log, executed by the exact hand at so many places more.
 
 Chapters tell what their givens are there (`Turning.between`). What is drawn across positions, a curve, an
 extreme, is the sheet's own and is not drawn again. What follows from something else that belongs to the
@@ -7,9 +9,10 @@ positions of the sheet alone (a chord between two of them) is left out.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -20,66 +23,109 @@ from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark, again, kept
 from graphic_tmm.board.values import Angle, Reals
 from graphic_tmm.drawn import Drawn, Findings, Numbers
+from graphic_tmm.language.numbers import fixed
+from graphic_tmm.language.units import unit
+from graphic_tmm.mechanism.records import TURN, Sweep
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Turn, Turning, open_row
 from graphic_tmm.readers.findings import reason
 
 WHOLE = 360.0
 """Degrees of a turn; so many angles are drawn of it."""
+FRAMES = 360
+"""So many places, its ends among them, are drawn of a row that does not come back to where it began."""
 ON_GRID = 1e-6
-"""A position that is off a whole degree by more than this has an angle of its own."""
+"""A position that is off a whole degree, or step, by more than this has a place of its own."""
 
 
 @dataclass(frozen=True)
 class Dense:
-    """A mechanism at every degree of its crank.
+    """A mechanism at every degree of its crank; at equal steps between the ``ends`` of a row that has them.
 
     ``drawn``: as drawn there, by the exact hand; its positions are the angles. ``sheet``: the same at the
     positions of the sheet. ``turned``: how far the crank has turned at each angle, degrees, all whole degrees
-    of the row's turns in order, behind them what positions are not among them; ``angles``: its direction.
-    ``whole``: how many these are; ``at``: the index of each position of the sheet. ``why``: by index the reason
-    why an angle is not drawn. ``log``: what is executed there, ``given``: from what.
+    of the row's turns in order, behind them what positions are not among them; ``frames``: the same in steps,
+    ``numbers``: in intervals of the row; ``angles``: its direction; of what slides all of this is m.
+    ``whole``: how many steps these are, each of so many degrees or m ``per`` step; ``at``: the index of each
+    position of the sheet. ``why``: by index the reason why an angle is not drawn. ``log``: what is executed
+    there, ``given``: from what.
     """
 
     drawn: Drawn
     sheet: Drawn
     turned: Reals
+    frames: Reals
+    numbers: Reals
     angles: Reals
     whole: int
+    per: float
     at: tuple[int, ...]
+    ends: bool
     why: Mapping[int, str]
     log: Construction
     given: Mapping[Mark, Any]
 
+    @property
+    def sweep(self) -> Sweep:
+        """What the drive goes through."""
+        return self.sheet.project.sweep or TURN
+
+    def named(self, k: int, language: str) -> str:
+        """Return what a place is called: 137,5°, 612,3 mm."""
+        return place_name(float(self.angles[k]), self.sweep, language)
+
+
+def place_name(value: float, sweep: Sweep, language: str) -> str:
+    """Return what a place of a drive is called, to a tenth of a degree or millimetre."""
+    if sweep.turns:
+        return f"{fixed(value % WHOLE, 1, language)}°"
+    return f"{fixed(1000.0 * value, 1, language)} {unit('mm', language)}"
+
+
+class _Frames(NamedTuple):
+    """Where a mechanism is drawn; see `Dense`. ``span``: how far the drive goes over the row, with its sign."""
+
+    turned: Reals
+    frames: Reals
+    span: float
+    whole: int
+    per: float
+    at: tuple[int, ...]
+
 
 def dense(drawn: Drawn) -> Dense | None:
-    """Return a mechanism at every degree; None of a board whose positions are no angles of a crank."""
+    """Return a mechanism at every degree; None of a board whose positions are no places of a drive."""
     log = drawn.construction
     sheet = drawn if _exact(drawn) else drawn.drawn_by(EXACT)
     by = next((mark for mark in log.given if mark.role == roles.ROW), None)
     if by is None or by.kind is not Angle:
         return None
-    turned, span, whole, at = _turned(drawn, by)
-    numbers = np.abs(turned) * drawn.project.count / whole
+    row = np.asarray(drawn.given[by], dtype=float)[0]
+    steps = open_row(drawn.scene, row)
+    if steps is not None and not np.ptp(steps) > 0.0:
+        return None
+    found = _turned(drawn, row) if steps is None else _along(drawn, row, steps)
+    turned = found.turned
     known = kept(sheet.construction, sheet.given, sheet.numbers.drawn.values)
-    known |= {mark: numbers[None, :] for mark in log.given if mark.role == roles.STATION}
 
     def read(marks: Iterable[Mark]) -> Reading:
         return execute(again(log, known), known, marks)
 
-    steps = open_row(drawn.scene, np.asarray(drawn.given[by], dtype=float)[0])
-    turn = Turn(turned, span, drawn.project.count, read, row=steps)
+    turn = Turn(turned, found.span, drawn.project.count, read, row=steps)
+    count = drawn.project.count
+    numbers = np.abs(turned) * count / found.whole if steps is None else turn.numbers
+    known |= {mark: numbers[None, :] for mark in log.given if mark.role == roles.STATION}
     for chapter in drawn.project.chapters:
         known |= Turning.of(chapter).between(sheet, turn)
     following = again(log, known)
     reading = execute(following, known)
     angles = np.array(drawn.project.coordinates[0] or 0.0) + turned
-    names = tuple(f"{angle % WHOLE:g}°" for angle in angles)
+    sweep = drawn.project.sweep or TURN
+    names = tuple(_name(angle, sweep) for angle in angles)
     everywhere = tuple(range(turned.size))
     rows = {plan: everywhere if some else () for plan, some in drawn.project.rows.items()}
-    project = replace(
-        drawn.project, names=names, coordinates=tuple(float(a) for a in angles % WHOLE), rows=rows
-    )
+    within = angles % WHOLE if sweep.turns else angles
+    project = replace(drawn.project, names=names, coordinates=tuple(map(float, within)), rows=rows)
     bad, why = _undrawn(project, following, reading, known)
     own = {plan: reading for plan, some in rows.items() if some}
     numbers_there = Numbers(reading, own, reading)
@@ -88,7 +134,21 @@ def dense(drawn: Drawn) -> Dense | None:
         sheet, project=project, numbers=numbers_there, hand=EXACT, undrawn=bad, scales=scales
     )
     there.cache.update(sheet.cache)
-    return Dense(there, sheet, turned, angles, whole, at, why, following, known)
+    where = (
+        turned,
+        found.frames,
+        numbers,
+        angles,
+        found.whole,
+        found.per,
+        found.at,
+        steps is not None,
+    )
+    return Dense(there, sheet, *where, why, following, known)
+
+
+def _name(value: float, sweep: Sweep) -> str:
+    return f"{value % WHOLE:g}°" if sweep.turns else f"{1000.0 * value:g} mm"
 
 
 def _exact(drawn: Drawn) -> bool:
@@ -96,25 +156,44 @@ def _exact(drawn: Drawn) -> bool:
     return hand.ruler is None and not hand.slips and hand.digits is None
 
 
-def _turned(drawn: Drawn, by: Mark) -> tuple[Reals, float, int, tuple[int, ...]]:
-    """Return how far the crank has turned at every angle, how far over the row; see `Dense` for the others."""
+def _turned(drawn: Drawn, row: Reals) -> _Frames:
+    """Return every degree of whole turns; ``row``: how far the crank has turned in each position."""
     count = drawn.project.count
-    row = np.asarray(drawn.given[by], dtype=float)[0]
     assert drawn.scene.mechanism is not None
     sense = drawn.scene.mechanism.drive.sense
     degrees = round(abs(float(row[1])) * count) if count > 1 else round(WHOLE)
-    turned = list(sense * np.arange(degrees, dtype=float))
     zero = float(drawn.project.coordinates[0] or 0.0)
-    at = []
-    for k, angle in enumerate(drawn.project.coordinates):
-        own = abs(row[k]) if k < count else (sense * (float(angle or 0.0) - zero)) % WHOLE
-        near = round(own)
-        if abs(own - near) < ON_GRID and near < degrees:
+    own = [
+        abs(float(row[k])) if k < count else (sense * (float(angle or 0.0) - zero)) % WHOLE
+        for k, angle in enumerate(drawn.project.coordinates)
+    ]
+    frames, at = _placed(own, degrees)
+    return _Frames(sense * frames, frames, sense * degrees, degrees, float(sense), at)
+
+
+def _along(drawn: Drawn, row: Reals, steps: Reals) -> _Frames:
+    """Return equal steps between the ends of a row; ``row``: how far each position is from the first."""
+    own = row[: steps.size]
+    first, last = sorted((float(own.min()), float(own.max())), reverse=bool(own[-1] < own[0]))
+    per = (last - first) / (FRAMES - 1)
+    zero = float(drawn.project.coordinates[0] or 0.0)
+    extra = [float(one or 0.0) - zero for one in drawn.project.coordinates[steps.size :]]
+    frames, at = _placed([(one - first) / per for one in (*own.tolist(), *extra)], FRAMES)
+    span = math.copysign(float(steps[-1]), float(own[-1]))
+    return _Frames(first + per * frames, frames, span, FRAMES, per, at)
+
+
+def _placed(own: Iterable[float], whole: int) -> tuple[Reals, tuple[int, ...]]:
+    """Return all steps, behind them what is between two, and the index of each place ``own``, in steps."""
+    frames, at = [float(k) for k in range(whole)], list[int]()
+    for one in own:
+        near = round(one)
+        if abs(one - near) < ON_GRID and 0 <= near < whole:
             at.append(near)
         else:
-            at.append(len(turned))
-            turned.append(sense * own)
-    return np.array(turned), sense * degrees, degrees, tuple(at)
+            at.append(len(frames))
+            frames.append(one)
+    return np.array(frames), tuple(at)
 
 
 def _undrawn(

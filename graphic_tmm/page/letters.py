@@ -46,7 +46,7 @@ def lettered(
         if view is not None and moving.name in view.shows and place in made.drawn:
             _from_sheet(found, made, view, view.origin(moving.name), place, k)
     _placed(found, dense, moving, made, still)
-    at = np.array([dense.turned[k] for k in made.drawn]) / dense.turned[1]
+    at = dense.frames[list(made.drawn)]
     return {
         key: _along(key, row, found.get(key, {}), dense, at)
         for key, row in made.rows.items()
@@ -146,7 +146,7 @@ def _along(
     if not placed:
         middle = middle + BESIDE + _half(key)
     else:
-        where = np.array([dense.turned[k] for k in placed]) / dense.turned[1]
+        where = dense.frames[list(placed)]
         middle = middle + glide(where, np.array(list(placed.values())), at, float(dense.whole))
     start = middle - _half(key)
     return np.stack([start.real, start.imag], axis=1)

@@ -38,7 +38,7 @@ from graphic_tmm.page.practice.pack import practice
 from graphic_tmm.page.practice.words import practice_words
 from graphic_tmm.page.sentences import protocol_of
 from graphic_tmm.page.views import played
-from graphic_tmm.page.words import PARTS, WORDS
+from graphic_tmm.page.words import ENDS, PARTS, WORDS
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.write.svg import ids, svg
@@ -170,6 +170,8 @@ def page(
     turned = crank(made, sheets)
     if turned is not None:
         data["crank"] = turned.data
+        if "ends" in turned.data:
+            data["words"] |= _said(ENDS, language)
     further: tuple[str, ...] = ()
     written = ""
     if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:

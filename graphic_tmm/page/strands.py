@@ -124,7 +124,7 @@ def strands(dense: Dense, moving: Moving) -> Strands:
     base = list(range(0, dense.whole, STEP))
     drawing = _drawing(dense, moving, base)
     rows = _rows(drawing(k) for k in base)
-    refined = _refined(_filled(rows, len(base)), len(base))
+    refined = _refined(_filled(rows, len(base)), len(base), ends=dense.ends)
     more = [STEP * i + j for i in refined for j in range(1, STEP)]
     more += range(dense.whole, dense.turned.size)
     rows = _rows((drawing(k) for k in more), rows, len(base))
@@ -218,12 +218,16 @@ def bare(text: str) -> str:
     return text.partition(" = ")[0]
 
 
-def _refined(rows: Mapping[Key, Reals], count: int) -> tuple[int, ...]:
-    """Return the intervals whose inside four places do not tell: those where something comes, goes, jumps."""
+def _refined(rows: Mapping[Key, Reals], count: int, *, ends: bool) -> tuple[int, ...]:
+    """Return the intervals whose inside four places do not tell: those where something comes, goes, jumps.
+
+    ``ends``: the row has ends, and the last interval leads on to no first one.
+    """
     lines = {key: row for key, row in rows.items() if isinstance(key, MovingStroke)}
     if not lines:
         return ()
     bad = np.zeros(count, dtype=bool)
+    bad[-1] = ends
     for row in lines.values():
         there = np.isfinite(row[:, 0])
         bad |= there != np.roll(there, -1)

@@ -122,6 +122,19 @@ WORDS: dict[str, str] = {
     "keys pan": said("Move the sheet"),
     "keys zoom": said("Larger or smaller"),
 }
+ENDS: dict[str, str] = {
+    "crank": said("Drive"),
+    "angle": said("Where the drive stands"),
+    "turn on": said("Let the drive run"),
+    "turn off": said("Stop the drive"),
+    "degree on": said("A step on"),
+    "degree back": said("A step back"),
+    "leap on": said("30 steps on"),
+    "leap back": said("30 steps back"),
+    "turn begin": said("To the beginning of the row"),
+    "a second": said("steps/s"),
+}
+"""What is said otherwise of a row that is no whole turn."""
 """Braces are filled in by the page."""
 
 

@@ -5,9 +5,12 @@ from __future__ import annotations
 import json
 
 import numpy as np
+import pytest
 from support import gallery
+from support.drives import BOOM, LEVER, SLIDER, scene
 from support.scripts import run
 
+import graphic_tmm as tmm
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.pack import unpacked
@@ -48,15 +51,13 @@ def test_texts_at_the_positions_are_those_of_the_tables() -> None:
 
 def test_figures_between_positions_are_those_of_a_motion() -> None:
     """The rows of values come back, at each degree the rate that an independent reading of the plans gives."""
-    import graphic_tmm
-
     made, sheets = gallery.paper(NAME)
     found = crank(made, sheets)
     assert found is not None
     rows = unpacked(found.rows, found.data["lengths"])
     figure = next(one for one in found.data["figures"] if one["name"] == "velocities")
     angles = found.data["zero"] + found.data["sense"] * np.arange(found.data["whole"])
-    due = graphic_tmm.motion(made.scene, angles, exact=True)
+    due = tmm.motion(made.scene, angles, exact=True)
     for number in (2, 3):
         value = next(one for one in figure["values"] if one["letter"] == f"ω_{{{number}}}")
         own = (rows[value["row"][0]] * value["worth"])[: found.data["whole"]]
@@ -75,10 +76,19 @@ def test_rows_of_figures_are_kept_folded() -> None:
             assert np.abs(whole).max() < 2_000_000
 
 
-BEARING = """
-import { bearing } from "./crank-values.js";
-tell(asked.map(([zero, sense, k]) => bearing({ zero, sense, whole: 360, more: [40.125], decimal: "," }, k)));
+PLACE = """
+import { placeText } from "./crank-values.js";
+tell(asked.map(([zero, sense, k, ends]) =>
+  placeText({ zero, sense, whole: 360, more: [40.125], decimal: ",", ...(ends ? { ends } : {}) }, k)));
 """
+
+
+def test_a_length_is_told_in_millimetres_of_the_row() -> None:
+    ends = {"letter": "l_{GN}", "unit": " mm", "from": 600.0, "per": 250.0 / 359}
+    asked = [(0, 1, 0, ends), (0, 1, 359, ends), (0, 1, 360, ends)]
+    assert run(PLACE, asked) == ["l_{GN} = 600 mm", "l_{GN} = 850 mm", "l_{GN} = 627,9 mm"]
+    lever = {"letter": "φ", "unit": "°", "from": 340.0, "per": 0.25}
+    assert run(PLACE, [(340, 1, 100, lever)]) == ["φ = 5°"]
 
 
 def test_the_direction_of_the_crank_is_within_a_turn_whichever_way_it_turns() -> None:
@@ -92,4 +102,38 @@ def test_the_direction_of_the_crank_is_within_a_turn_whichever_way_it_turns() ->
         (-0.001, 1, 0): "0",
         (30, -1, 360): "349,9",
     }
-    assert run(BEARING, list(due)) == list(due.values())
+    assert run(PLACE, list(due)) == [f"φ = {text}°" for text in due.values()]
+
+
+WITHIN = """
+import { indexAt, turnWithin } from "./dense.js";
+tell(asked.map(([turn, ends]) => {
+  const dense = { whole: 360, more: [40.125], ...(ends ? { ends } : {}) };
+  return [turnWithin(dense, turn), indexAt(dense, turn)];
+}));
+"""
+
+
+def test_a_row_with_ends_does_not_go_round() -> None:
+    asked = [(-5, False), (365, False), (-5, True), (365, True), (359, True), (40.2, True)]
+    due = [[355, 355], [5, 5], [0, 0], [359, 359], [359, 359], [40.2, 360]]
+    assert run(WITHIN, asked) == due
+
+
+@pytest.mark.parametrize("text", [BOOM, SLIDER, LEVER])
+def test_between_the_ends_of_a_row_rates_are_those_of_the_motion(text: str) -> None:
+    one = scene(text)
+    made = tmm.draw(one, exact=True)._work.drawn_scene
+    found = crank(made, ())
+    assert found is not None
+    rows, data = unpacked(found.rows, found.data["lengths"]), found.data
+    many = 1.0 if text is LEVER else 1000.0
+    at = (data["ends"]["from"] + data["ends"]["per"] * np.arange(data["whole"])) / many
+    due = tmm.motion(one, at, exact=True)
+    figure = next(one for one in data["figures"] if one["name"] == "velocities")
+    value = next(one for one in figure["values"] if one["letter"] == "ω_{2}")
+    own = (rows[value["row"][0]] * value["worth"])[: data["whole"]]
+    np.testing.assert_allclose(own, due.omega[2], atol=2 * value["worth"])
+    for row in rows:
+        assert np.isfinite(row).all()
+    assert len(data["figures"][0]["crank"]) == (3 if text is LEVER else 0)

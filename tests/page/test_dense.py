@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
@@ -10,11 +11,13 @@ import pytest
 from support import gallery
 from support.boards import drawn_of
 from support.command import invoke
+from support.drives import BOOM, LEVER, SLIDER, scene
 from support.linkages import four_bar
 from support.mechanisms import Sampled, sample
 from support.oracle import OracleError, solve_fast
 from support.scenes import calling
 
+import graphic_tmm as tmm
 from graphic_tmm.board.values import Curve, arrays
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import PLANS
@@ -176,3 +179,30 @@ def test_a_plan_of_no_position_is_drawn_at_no_degree(tmp_path: Path) -> None:
     assert there.of("accelerations") is None
     assert there.of("velocities") is not None
     assert invoke("page", path, "-o", tmp_path / "out").exit_code == 0
+
+
+@pytest.mark.parametrize("text", [BOOM, SLIDER, LEVER])
+def test_a_row_with_ends_is_drawn_from_one_to_the_other(text: str) -> None:
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        made = tmm.draw(scene(text), exact=True)._work.drawn_scene
+        assert made.mechanism is not None
+        found = _dense(made.mechanism)
+    ends = [
+        one for one in (made.mechanism.project.coordinates[k] for k in (0, -1)) if one is not None
+    ]
+    assert found.ends
+    assert [found.angles[0], found.angles[found.whole - 1]] == pytest.approx(ends, abs=1e-12)
+    assert np.ptp(np.diff(found.angles[: found.whole])) < 1e-12 * abs(ends[1])
+    own = found.angles[list(found.at)]
+    assert own == pytest.approx(
+        [one or 0.0 for one in made.mechanism.project.coordinates], abs=1e-12
+    )
+    motion = tmm.motion(scene(text), found.angles, exact=True)
+    reading, plans = found.drawn.reading, KINEMATICS_PLAN.on(found.drawn)
+    assert plans.velocities is not None
+    for link, rate in plans.velocities.rates.items():
+        own = np.broadcast_to(reading[rate][0], found.angles.shape)
+        np.testing.assert_allclose(own, motion.omega[link], rtol=1e-9)
+    assert found.named(0, "en") == {BOOM: "600.0 mm", SLIDER: "250.0 mm", LEVER: "20.0°"}[text]
+    assert found.drawn.names[0] == {BOOM: "600 mm", SLIDER: "250 mm", LEVER: "20°"}[text]

@@ -20,8 +20,7 @@ from graphic_tmm.checking.cells import cells, pointed, points
 from graphic_tmm.checking.judging.own_errors import alone
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.drawn import Drawn, DrawnScene
-from graphic_tmm.language.numbers import fixed
-from graphic_tmm.page.dense import WHOLE, Dense, dense
+from graphic_tmm.page.dense import Dense, dense
 
 
 @dataclass(frozen=True)
@@ -149,7 +148,7 @@ def posed(row: PoseRow, seed: int) -> PoseRow | None:
         return None
     given: Mapping[Mark, Any] = {mark: _cut(value, mark, at) for mark, value in turn.given.items()}
     language = row.work.scene.language
-    names = tuple(f"{fixed(float(turn.angles[k]) % WHOLE, 1, language)}°" for k in at)
+    names = tuple(turn.named(k, language) for k in at)
     places = {plan: (at.index(k),) for plan, k in chosen.items()}
     return PoseRow(turn.drawn, turn.log, given, names, places)
 

@@ -60,14 +60,15 @@ function isThere(there, k) {
 }
 
 /**
- * Return the direction of the crank, degrees from the x axis, as sheets write it.
+ * Return where the drive stands, as sheets write it: the direction of the crank from the x axis, or a length.
  * @param {Dense} dense
  * @param {number} k
  */
-export function bearing(dense, k) {
-  const angle = dense.zero + dense.sense * turnAt(dense, k);
-  const within = (((angle % 360) + 360) % 360).toFixed(2);
-  return fourFigures(Number(within) % 360, dense.decimal);
+export function placeText(dense, k) {
+  const { letter, unit, from, per } = dense.ends ?? { letter: "φ", unit: "°", from: dense.zero, per: dense.sense };
+  const value = from + per * turnAt(dense, k);
+  const told = unit === "°" ? Number((((value % 360) + 360) % 360).toFixed(2)) % 360 : Number(value.toFixed(3));
+  return `${letter} = ${fourFigures(told, dense.decimal)}${unit}`;
 }
 
 /**

@@ -1,12 +1,12 @@
 import { cardsOf } from "./cards.js";
 import { bytesOf } from "./data.js";
-import { indexAt, turnAt, whyNot } from "./dense.js";
-import { element, filled } from "./dom.js";
+import { indexAt, turnAt, turnWithin, whyNot } from "./dense.js";
+import { element, filled, typeset } from "./dom.js";
 import { putHandle } from "./handle.js";
 import { listenToKeys } from "./keys.js";
 import { unpackedRows } from "./pack.js";
 import { choices, LEAP, positionButtons, runner, turningRange } from "./controls.js";
-import { bearing } from "./crank-values.js";
+import { placeText } from "./crank-values.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -50,7 +50,7 @@ function fill(room, data, dense, state, packed) {
   const say = (/** @type {string} */ key) => data.words[key] ?? key;
   const cards = cardsOf(data, dense, packed);
   const chosen = new Set(cards.slice(0, FIRST));
-  const { engine, parts } = runner(say, (by) => go(state.place.turn + by));
+  const { engine, parts } = runner(say, run);
   const range = turningRange(say("angle"), dense, stand);
   const angle = /** @type {HTMLOutputElement} */ (element("output", { class: "angle", "aria-live": "off" }));
   const why = element("p", { class: "why", role: "status" });
@@ -67,13 +67,24 @@ function fill(room, data, dense, state, packed) {
   const lead = cards.find((card) => card.leads !== null);
   if (lead?.leads) {
     lead.figure.classList.add("lead");
-    hold = putHandle(dense, lead.leads, lead.built().svg, () => state.place.turn, stand);
+    if (lead.leads.crank?.length) hold = putHandle(dense, lead.leads, lead.built().svg, () => state.place.turn, stand);
     lead.figure.append(why);
   }
 
   /** @param {number} turn */
   function go(turn) {
-    state.go({ turn: ((turn % dense.whole) + dense.whole) % dense.whole });
+    state.go({ turn: turnWithin(dense, turn) });
+  }
+
+  /**
+   * Go on by so many steps; from the end of a row that has one begin anew, and stand there.
+   * @param {number} by
+   */
+  function run(by) {
+    const last = dense.whole - 1;
+    if (dense.ends === undefined) return go(state.place.turn + by);
+    go(state.place.turn >= last ? 0 : state.place.turn + by);
+    if (state.place.turn >= last) engine.run(false);
   }
 
   /**
@@ -92,8 +103,9 @@ function fill(room, data, dense, state, packed) {
     hold(turnAt(dense, k));
     range.value = String(Math.round(turnAt(dense, k)));
     const name = dense.positions.find(([, index]) => index === k)?.[0];
-    angle.value = `φ = ${bearing(dense, k)}°${name === undefined ? "" : `, ${say("position").toLowerCase()} ${name}`}`;
-    range.setAttribute("aria-valuetext", angle.value);
+    const place = `${placeText(dense, k)}${name === undefined ? "" : `, ${say("position").toLowerCase()} ${name}`}`;
+    angle.replaceChildren(...typeset(place));
+    range.setAttribute("aria-valuetext", place.replace(/[_{}]/g, ""));
     const told = reason === "" ? "" : filled(say("not drawn"), { why: reason });
     if (why.textContent !== told) why.textContent = told;
     positions.forEach((one, n) => one.setAttribute("aria-pressed", String(dense.positions[n]?.[1] === k)));

@@ -81,12 +81,22 @@ export function nearestDrawn(whole, step, refined, more) {
 }
 
 /**
+ * Return a turn from the beginning of the row on: round and round, or no farther than its ends.
+ * @param {Dense} dense
+ * @param {number} turn
+ */
+export function turnWithin(dense, turn) {
+  if (dense.ends !== undefined) return Math.min(Math.max(turn, 0), dense.whole - 1);
+  return ((turn % dense.whole) + dense.whole) % dense.whole;
+}
+
+/**
  * Return the index of the angle nearest to a turn: a whole degree, or a position between two.
  * @param {Dense} dense
  * @param {number} turn
  */
 export function indexAt(dense, turn) {
-  const own = ((turn % dense.whole) + dense.whole) % dense.whole;
+  const own = turnWithin(dense, turn);
   let best = Math.round(own) % dense.whole;
   let off = Math.abs(own - Math.round(own));
   dense.more.forEach((at, k) => {

@@ -1,3 +1,4 @@
+import { turnWithin } from "./dense.js";
 import { drawnElement } from "./dom.js";
 
 /**
@@ -18,6 +19,7 @@ const SIZE = 0.03;
  * @returns {(turn: number) => void} lets the handle stand at a turn
  */
 export function putHandle(dense, figure, svg, turn, go) {
+  const per = dense.ends?.per ?? dense.sense;
   const [x = 0, y = 0, length = 0] = figure.crank ?? [];
   const size = SIZE * Math.max(figure.box[2] ?? 0, figure.box[3] ?? 0);
   const ring = drawnElement("circle", { class: "handle", r: size });
@@ -51,8 +53,7 @@ export function putHandle(dense, figure, svg, turn, go) {
   /** @param {number} found */
   function follow(found) {
     const now = turn();
-    const by = difference(turnOf(found) - apart, now);
-    go((((now + by) % dense.whole) + dense.whole) % dense.whole);
+    go(turnWithin(dense, now + difference(turnOf(found) - apart, now)));
   }
 
   /**
@@ -68,21 +69,22 @@ export function putHandle(dense, figure, svg, turn, go) {
 
   /** @param {number} angle */
   function turnOf(angle) {
-    return dense.sense * (angle - dense.zero);
+    return (angle - dense.zero) / per;
+  }
+
+  /**
+   * Return by how much to go on from one turn to another, the shorter way round.
+   * @param {number} to
+   * @param {number} from
+   */
+  function difference(to, from) {
+    const round = 360 / Math.abs(per);
+    return ((((to - from + round / 2) % round) + round) % round) - round / 2;
   }
 
   return (at) => {
-    const angle = ((dense.zero + dense.sense * at) * Math.PI) / 180;
+    const angle = ((dense.zero + per * at) * Math.PI) / 180;
     ring.setAttribute("cx", String(x + length * Math.cos(angle)));
     ring.setAttribute("cy", String(-(y + length * Math.sin(angle))));
   };
-}
-
-/**
- * Return by how much to go on from one angle to another, the shorter way, −180 … 180.
- * @param {number} to
- * @param {number} from
- */
-function difference(to, from) {
-  return ((((to - from + 180) % 360) + 360) % 360) - 180;
 }

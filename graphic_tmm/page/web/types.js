@@ -36,7 +36,9 @@
  *   stands?: [number, number, number][], crank?: number[]}} MovingFigure
  * @typedef {{view: string, letter: string, unit: string, mu: number, origin: number, upright: boolean,
  *   x: number[], y: number[], there: There, texts: (string | null)[]}} Cursor
+ * `ends`: of a row that is no whole turn, what its place is called, where it begins, how far a step goes.
  * @typedef {{whole: number, step: number, sense: number, zero: number, more: number[], lengths: number[],
+ *   ends?: {letter: string, unit: string, from: number, per: number},
  *   positions: [string, number][], why: [number, number, string][], decimal: string,
  *   pens: Record<string, [number, number[], string, string]>, figures: MovingFigure[], cursors: Cursor[],
  *   glyphs: Glyph[]}} Dense
