@@ -161,3 +161,27 @@ def test_what_cannot_be_sought_is_refused(put: str, instead: str, says: str) -> 
     assert put in CLAMP
     with pytest.raises(TmmError, match=says):
         graphic_tmm.draw(graphic_tmm.read(CLAMP.replace(put, instead))).table("forces")
+
+
+def test_a_toggle_joint_of_a_page_for_engineers() -> None:
+    """engineeringtoolbox.com/toggle-joint-d_2077: F = 883 N, a = 1983 mm, h = 258 mm; P = 3393 N, 3.8 F."""
+    arm = abs(complex(1.983, 0.258))
+    shut = f"{float(np.degrees(np.arcsin(0.258 / arm)))} deg"
+    joint = (
+        CLAMP.replace("[0.1, 0]", f"[{arm}, 0]")
+        .replace("[0.3, 0]", f"[{arm}, 0]")
+        .replace('extra = ["1 deg"]', f'from = "{shut}"\nto = "40 deg"\npositions = 3')
+        .replace('side = "right"', 'side = "right", flips_at = []')
+        .replace("link = 1\nmoment", 'link = 1\npoint = "A"\ndirection = "-90 deg"\nforce')
+        .replace("10 N*m", "883 N")
+    )
+    value = graphic_tmm.draw(graphic_tmm.read(joint), exact=True).table("forces")["P_tool"].value
+    assert abs(value[0, 0]) == pytest.approx(3393, abs=1)
+
+
+def test_the_clamp_of_a_textbook() -> None:
+    """Hibbeler, Engineering Mechanics: Statics, 14th ed., 6-80: link CD 10.93 F, at the arm's end 3.64 F."""
+    table = graphic_tmm.draw(graphic_tmm.read("toggle-clamp"), exact=True).table("forces")
+    assert table["R12"].value[0, 0] == pytest.approx(1093, abs=0.5)
+    assert table["P_tool"].value[0, 0] == pytest.approx(364, abs=0.5)
+    assert abs(table["P_bal_left"].value[0, 0]) < 1e-9
