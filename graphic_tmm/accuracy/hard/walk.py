@@ -108,7 +108,7 @@ def walk(scene: Scene) -> Walk:
     Raises
     ------
     SceneError
-        If the scene has no mechanism.
+        If the scene has no mechanism, or none that turns by its drive.
     StructureError
         If it cannot be drawn.
     """
@@ -120,6 +120,13 @@ def walk(scene: Scene) -> Walk:
         raise SceneError(scene.source, (Fault("", 0, says),))
     plans = frozenset(plan for plan in PLANS if plan in scene.called or plan in PLANS[:2])
     of = recorded(scene, plans, exact=True)
+    if not of.sweep.turns:
+        says = said(
+            "--hard walks a crank through its turn, and here link {link} is driven along a length: leave "
+            "--hard out",
+            link=scene.mechanism.drive.link,
+        )
+        raise SceneError(scene.source, (Fault("", 0, says),))
     log, turning, results = _in_si(of)
     drawn = {step.it for step in turning.log.steps}
     marks = [_of(results, quantity) for quantity in ("places", "velocities")]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from hard.test_hard_change_points import CASES
-from support import gallery
+from support import drives, gallery
 from support.digits_left import judged, scene_of
 from support.hard_mechanisms import coulisse, slider_crank, weighed
 from support.loaded import weighed as loaded
@@ -78,3 +78,10 @@ def test_each_hard_place_is_approached_from_both_sides() -> None:
 def test_a_scene_without_a_mechanism_is_refused() -> None:
     with pytest.raises(SceneError, match="walks the crank of a mechanism"):
         walk(gallery.scene("cam"))
+
+
+@pytest.mark.parametrize(("text", "link"), [(drives.BOOM, 3), (drives.SLIDER, 1), (drives.RACK, 1)])
+def test_a_length_is_no_turn(text: str, link: int) -> None:
+    with pytest.raises(SceneError, match=f"here link {link} is driven along a length"):
+        walk(drives.scene(text))
+    assert walk(drives.scene(drives.LEVER)).whole == 360.0

@@ -7,9 +7,13 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from support import drives
 from support.benches import Packed, numbers, packed, practised, worked
 
+import graphic_tmm as tmm
 from graphic_tmm.checking.records import VERDICTS, WRONG
+from graphic_tmm.page.practice.pack import Packing
+from graphic_tmm.page.practice.tasks import sheet_row
 
 NEAR = 1e-9
 """So near are two ways to calculate, as a share of what is calculated; mm where it is less than that."""
@@ -124,3 +128,22 @@ def test_what_comes_to_the_same_is_the_same_step(tmp_path: Path) -> None:
         more=SAME_BY_ANOTHER_WAY,
     )
     assert turned == another == {"slot": slot}
+
+
+@pytest.mark.parametrize("text", [drives.BOOM, drives.SLIDER, drives.LEVER])
+def test_plans_of_any_drive_are_drawn_and_judged_as_in_python(text: str, tmp_path: Path) -> None:
+    """A rod's Coriolis acceleration and what else is calculated before it is laid off is rightly drawn, too."""
+    made = tmm.draw(drives.scene(text), exact=True)._work.drawn_scene
+    row = sheet_row(made)
+    assert row is not None
+    packing = Packing(made, row, ())
+    one = Packed("driven", made, packing, packing.data(()), packing.program())
+    (answer,) = worked([one], {}, tmp_path, work=True)
+    assert len(answer["worked"]) == 18
+    for each in answer["worked"]:
+        at = each["task"]["at"]
+        assert not any(order["faults"] for order in each["solved"])
+        for step in packing.steps:
+            if row.there(step.it, at):
+                due, found = numbers(row.reading[step.it], at), each["exact"][str(step.it.slot)]
+                assert found == pytest.approx(due, rel=NEAR, abs=NEAR)
