@@ -229,15 +229,18 @@ def best(tried: Survey, angles: Reals, wanted: Sequence[int], all: Sequence[int]
     return found[0] if rows[found[0]] >= POOR else found[-1]
 
 
-def least_angle(tried: Survey) -> float:
+def least_angle(tried: Survey, ends: tuple[float, float] | None = None) -> float:
     """Return the least transmission angle of a mechanism over a turn, degrees; NaN where there is none.
+
+    ``ends``: those of a row that is no whole turn.
 
     The transmission angle of a group is the acute one of both lines of its velocities at its closing point: of
     a four-bar that between coupler and rocker, of a slider that between its rod and what is square to its
     guide, of a stone that between its guide and what is square to the arm of the link that it slides on.
     """
     closings = tuple(dyads(tried.positions.closings, TRANSMISSION))
-    _, reading = tried.whole([leg.line for closing in closings for leg in closing.legs])
+    lines = [leg.line for closing in closings for leg in closing.legs]
+    reading = tried.whole(lines)[1] if ends is None else tried.over(ends, lines)
     with np.errstate(all="ignore"):
         sines = [float(np.nanmin(_sine(reading, one), initial=np.inf)) for one in closings]
     least = min(sines, default=1.0)

@@ -178,7 +178,12 @@ def _plan(drawn: Drawn, plan: str, title: str) -> Moving:
 
 def _passed(project: Project) -> Passed:
     plans = KINEMATICS_PLAN.on(project)
-    return Passed(not plans.assembly.ranges, least_angle(plans.tried))
+    if plans.ends is None:
+        return Passed(not plans.assembly.ranges, least_angle(plans.tried))
+    points = [closing.point for closing in plans.tried.positions.closings]
+    reading = plans.tried.over(plans.ends, points)
+    whole = all(np.isfinite(reading[point]).all() for point in points)
+    return Passed(whole, least_angle(plans.tried, plans.ends), ends=True)
 
 
 TURNING = Turning(between=between, passed=_passed, told=quantities, free=free)

@@ -91,10 +91,12 @@ def _reasons(scene: Scene, by: Measure) -> Iterator[str]:
 
 
 def _moving(project: Project, good: Good) -> Iterator[str]:
-    """Yield what speaks against the motion over a whole turn."""
+    """Yield what speaks against the motion over a whole turn, or its row."""
     found = (Turning.of(chapter).passed(project) for chapter in project.chapters)
     for one in (passed for passed in found if passed is not None):
-        if not one.whole:
+        if not one.whole and one.ends:
+            yield said("it does not assemble over its whole row")
+        elif not one.whole:
             yield said("it does not assemble over the whole turn")
         if not one.least >= good.transmission - SLACK:
             yield said("transmission angle below {limit:g}°", limit=good.transmission)

@@ -106,14 +106,15 @@ class TurnQuantity(NamedTuple):
 
 
 class Passed(NamedTuple):
-    """How a mechanism passes its motion on over a turn of its crank.
+    """How a mechanism passes its motion on over a turn of its crank, or between the ``ends`` of its row.
 
-    ``whole``: whether it assembles at every angle; ``least``: the least transmission angle of all its groups,
+    ``whole``: whether it assembles everywhere there; ``least``: the least transmission angle of all its groups,
     degrees, NaN where it assembles nowhere.
     """
 
     whole: bool
     least: float
+    ends: bool = False
 
 
 @dataclass(frozen=True)
