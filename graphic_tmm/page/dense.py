@@ -21,7 +21,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import examine, step_number
 from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Construction, Mark, again, kept
-from graphic_tmm.board.values import Angle, Reals
+from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, Findings, Numbers
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.units import unit
@@ -98,7 +98,7 @@ def dense(drawn: Drawn) -> Dense | None:
     log = drawn.construction
     sheet = drawn if _exact(drawn) else drawn.drawn_by(EXACT)
     by = next((mark for mark in log.given if mark.role == roles.ROW), None)
-    if by is None or by.kind is not Angle:
+    if by is None:
         return None
     row = np.asarray(drawn.given[by], dtype=float)[0]
     steps = open_row(drawn.scene, row)
