@@ -21,10 +21,6 @@ _TURNS = f"|{{omega}}| > {STANDS:.9f}·|{{of_crank}}|"
 _NO_LENGTH = "the length to divide by is zero"
 _PURE_COUPLE = "the forces come to a couple, which no single force replaces"
 _NO_BALANCE = "what balances the crank is zero: there is nothing to compare with"
-_NO_WAY = (
-    "the point of the unknown force does not move along it: no force there balances the others"
-)
-_NO_EFFORT = "the known loads come to nothing at what drives: there is nothing to compare with"
 _NOT_SETTLED = "the passes of friction do not settle: the mechanism locks itself, or is near to it"
 
 
@@ -277,39 +273,6 @@ def converted_reversed(
 )
 def balancing_on_lever(moment_: Number, segment: Length) -> Number:
     """−{moment_}/{segment}"""
-
-
-@formula(
-    holds="{arm_} ≠ 0",
-    fails=_NO_WAY,
-    why=said(
-        "The lever is in equilibrium about its pole: the unknown force has the moment of all others, reversed, "
-        "and its arm is the velocity of its point along it."
-    ),
-)
-def unknown_on_lever(moment_: Number, arm_: Length) -> Number:
-    """−{moment_}/{arm_}"""
-
-
-@formula(
-    holds="{arm_} ≠ 0",
-    fails=_NO_WAY,
-    why=said("On the lever both forces have one moment: the less the arm, the larger the force."),
-)
-def advantage(segment: Length, arm_: Length) -> Number:
-    """|{segment}|/|{arm_}|"""
-
-
-@formula(
-    holds="{whole} ≠ 0",
-    fails=_NO_EFFORT,
-    why=said(
-        "With the force that the lever found at the tool, the groups leave nothing for what drives to balance; "
-        "what they do leave is the error of the drawing."
-    ),
-)
-def left_percent(left: Number, whole: Number) -> Number:
-    """100·|{left}|/|{whole}|"""
 
 
 @formula(why=said("The force is square to its arm: the moment is their product."))

@@ -1,10 +1,15 @@
-"""Formulas of springs and dampers."""
+"""Formulas of springs and dampers, and of a force that is sought at a tool."""
 
 from __future__ import annotations
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.language.said import said
+
+_NO_WAY = (
+    "the point of the unknown force does not move along it: no force there balances the others"
+)
+_NO_EFFORT = "the known loads come to nothing at what drives: there is nothing to compare with"
 
 
 @formula(
@@ -37,3 +42,36 @@ def preloaded_force(
 )
 def damper_force(damping: Number, segment: Length, mu_v: Number) -> Number:
     """{damping}·{segment}·{mu_v}"""
+
+
+@formula(
+    holds="{arm_} ≠ 0",
+    fails=_NO_WAY,
+    why=said(
+        "The lever is in equilibrium about its pole: the unknown force has the moment of all others, reversed, "
+        "and its arm is the velocity of its point along it."
+    ),
+)
+def unknown_on_lever(moment_: Number, arm_: Length) -> Number:
+    """−{moment_}/{arm_}"""
+
+
+@formula(
+    holds="{arm_} ≠ 0",
+    fails=_NO_WAY,
+    why=said("On the lever both forces have one moment: the less the arm, the larger the force."),
+)
+def advantage(segment: Length, arm_: Length) -> Number:
+    """|{segment}|/|{arm_}|"""
+
+
+@formula(
+    holds="{whole} ≠ 0",
+    fails=_NO_EFFORT,
+    why=said(
+        "With the force that the lever found at the tool, the groups leave nothing for what drives to balance; "
+        "what they do leave is the error of the drawing."
+    ),
+)
+def left_percent(left: Number, whole: Number) -> Number:
+    """100·|{left}|/|{whole}|"""

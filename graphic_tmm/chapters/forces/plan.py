@@ -13,7 +13,6 @@ from typing import NamedTuple
 from graphic_tmm.board.operations.statics import (
     apart_percent,
     efficiency,
-    left_percent,
     settled,
     still_open,
 )
@@ -26,6 +25,7 @@ from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.lever import Lever, draw_lever
 from graphic_tmm.chapters.forces.link_loads import draw_loads
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads
+from graphic_tmm.chapters.forces.operations import left_percent
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask, Friction
 from graphic_tmm.chapters.forces.tool import Tool, draw_line, draw_tool

@@ -8,13 +8,14 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from graphic_tmm.board.operations.instruments import parallel
-from graphic_tmm.board.operations.statics import advantage, arm, unknown_on_lever
+from graphic_tmm.board.operations.statics import arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.given_loads import line_of
 from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.lever import Carried, Lever
 from graphic_tmm.chapters.forces.loads import VIEW, Force, Ground, point_of
+from graphic_tmm.chapters.forces.operations import advantage, unknown_on_lever
 from graphic_tmm.chapters.forces.task import Unknown
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
