@@ -55,7 +55,7 @@ def _unknown(path: Path, unknown: task.Unknown, parts: Parts) -> Iterator[Flaw]:
     if effects is not None and effects.friction:
         says = said("friction is drawn for a drive that is balanced; leave friction or unknown out")
         yield Flaw(path, says)
-    for other in ONE_TURN:
+    for other in (*ONE_TURN, "flywheel"):
         if other in parts.doc:
             says = said(
                 "the graphs of [{other}] want all loads known; give it a scene of its own",

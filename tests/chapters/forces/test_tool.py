@@ -161,6 +161,7 @@ def test_the_page_works_its_steps(tmp_path: Path) -> None:
         ('"along x" }', '"along q" }', "neither two letters"),
         ("link = 3, point = \"B\"", "link = 1, point = \"O\"", "O stands still"),
         ("[forces]", RUBS, "leave friction or unknown out"),
+        ("[forces]", "[flywheel]\ndelta = 0.02\n[forces]", "want all loads known"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_sought_is_refused(put: str, instead: str, says: str) -> None:
