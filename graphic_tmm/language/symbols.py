@@ -35,7 +35,7 @@ _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
     (r"μ_\{vl\}", "μ_{v}^{%s}", (_ZH,)),
     (r"([PM])_\{b(\d+)\}", r"\1_{%s\2}", (_B,)),
     (r"([PM])_(?:b|\{b\})(?![a-z\d])", r"\1_{%s}", (_B,)),
-    (r"(?<=[yh]_\{[PM])b(?=[}^])", "%s", (_B,)),
+    (r"(?:(?<=[yh]_\{[PM])|(?<=[yh]_\{−[PM]))b(?=\d*[}^])", "%s", (_B,)),
     (r"([PM]_\{|[yh]_\{(?:−?F)?[PM]|F_\{M|h_\{)i(?=\d)", r"\1%s", (_I,)),
     (r"(P_\{?|[yh]_\{P)in", r"\1%s", (said("in", context="index: inertia"),)),
     (r",ser\}", ",%s}", (said("ser", context="index: series"),)),
@@ -72,8 +72,8 @@ _RULES = tuple((re.compile(pattern), put, words) for pattern, put, words in _WOR
 def symbol(name: str, language: str) -> str:
     """Return the name of a mark as mark-up in a language.
 
-    >>> symbol("P_b", "ru"), symbol("y_{Pi3}", "ru"), symbol("P_{bl}", "en"), symbol("P_{b6}", "ru")
-    ('P_{ур}', 'y_{Pи3}', 'P_{b}^{Zh}', 'P_{ур6}')
+    >>> symbol("P_b", "ru"), symbol("y_{Pi3}", "ru"), symbol("P_{bl}", "en"), symbol("h_{Pb6}", "ru")
+    ('P_{ур}', 'y_{Pи3}', 'P_{b}^{Zh}', 'h_{Pур6}')
     """
     for shape, put in _SHAPES:
         name = re.sub(shape, put, name)

@@ -56,7 +56,9 @@ def _has_accelerations(folder: Path) -> bool:
     if not _has_mechanism(folder):
         return False
     scene = tomllib.loads((folder / "scene.toml").read_text(encoding="utf-8"))
-    return bool(scene.get("drive", {}).get("accelerations"))
+    drives = scene.get("drive", {})
+    first = drives[0] if isinstance(drives, list) else drives
+    return bool(first.get("accelerations"))
 
 
 NAMES = [folder.name for folder in FOLDERS if _has_mechanism(folder)]

@@ -232,11 +232,15 @@ def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
         yield from _guided(writer, solved, heading, of)
     for reaction in solved.reactions:
         yield _read(writer, reaction, solved.polygon)
-    for driven in (one for one in made.driven if one.pair.link in solved.rods):
+    rods = [one for one in made.driven if one.pair.link in solved.rods]
+    for driven in rods:
         length, *_ = writer.seen.by_mark[driven.balance].uses
-        yield _measured(writer, (driven.letter, length, driven.balance), solved.polygon)
-    for force in made.lever.forces:  # friction along guides, read off the polygon
-        step = writer.seen.by_mark.get(force.value)
+        pulls = "−" if writer.value(driven.balance) < 0.0 else ""
+        of_rod = driven.letter, length, driven.balance
+        yield _measured(writer, of_rod, solved.polygon, pulls)
+    shown = {one.balance for one in rods}
+    for force in (one for one in made.lever.forces if one.value not in shown):
+        step = writer.seen.by_mark.get(force.value)  # friction along guides, read off the polygon
         if step and step.op is in_si and step.uses[0].view == solved.polygon.view:
             yield _along(writer, force.value, solved.polygon)
 
@@ -327,14 +331,14 @@ def _along(writer: Writer, force: Mark, polygon: Polygon) -> Row:
     return _measured(writer, (force.name, length, force), polygon)
 
 
-def _measured(writer: Writer, of: tuple[str, Mark, Mark], polygon: Polygon) -> Row:
-    """A force by its mm; ``of``: its letter, its length on the polygon, its value."""
+def _measured(writer: Writer, of: tuple[str, Mark, Mark], polygon: Polygon, sign: str = "") -> Row:
+    """A force by its mm; ``of``: its letter, its length on the polygon, its value; ``sign``."""
     letter_, length, value = of
     language = writer.language
     mm = f"{writer.length(length)} {unit('mm', language)}"
     mu = f"{number(writer.value(polygon.mu), language)} {unit('N/mm', language)}"
     told = writer.with_unit(value, "N")
-    return Row([f"{writer.letter(letter_)} = {mm}·{mu} = {told}"], value)
+    return Row([f"{writer.letter(letter_)} = {sign}{mm}·{mu} = {sign}{told}"], value)
 
 
 def _converted(writer: Writer, one: Converted) -> Row:

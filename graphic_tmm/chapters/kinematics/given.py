@@ -30,8 +30,12 @@ def given(scene: Scene) -> Iterator[Given]:
     rows = [*_lengths(mechanism), *frame_sizes(mechanism)]
     yield from dict.fromkeys(Given(name, size, SIZE) for name, size in rows)
     yield from _directions(mechanism)
-    for pair in driven(mechanism, dissect(mechanism)):
+    pairs = driven(mechanism, dissect(mechanism))
+    for pair in pairs:
         yield from pair.given()
+    for pair in pairs[1:]:
+        own = pair.sweep
+        yield Given(f"{own.letter}_{{{pair.link},0}}", pair.drive.start, "°" if own.turns else SIZE)
     if scene.row.ends is not None:
         yield stroke(scene)
     yield from _masses(mechanism)
