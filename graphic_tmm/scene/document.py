@@ -94,7 +94,9 @@ def _sections() -> list[str]:
 def several() -> frozenset[str]:
     """Return the sections that a scene may have several times."""
     found = _declared().items()
-    return frozenset(name for name, one in found if one.several or one.together is not None)
+    return frozenset(
+        name for name, one in found if one.several or one.together or one.further is not None
+    )
 
 
 def _declared() -> Mapping[str, Section]:

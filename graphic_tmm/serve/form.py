@@ -156,12 +156,14 @@ class _Written(NamedTuple):
             made.append(Group(LENGTHS, said("lengths by name"), True, self.lengths()))
         for name, section in declared().items():
             raw, says = self.doc.get(name), _sentence(section)
-            if section.several or (section.together is not None and isinstance(raw, list)):
+            either = section.together is not None or section.further is not None
+            if section.several or (either and isinstance(raw, list)):
                 items = raw if isinstance(raw, list) else []
                 for k, item in enumerate(items):
                     at = (name, k)
                     title = " ".join(filter(None, (key_of(self.doc, at), _name(item))))
-                    made.append(Group(title, says, True, self.of(section.record, item, at)))
+                    record = section.further if k and section.further else section.record
+                    made.append(Group(title, says, True, self.of(record, item, at)))
             elif section.always or name in self.doc:
                 there = name in self.doc
                 made.append(Group(name, says, there, self.of(section.record, raw, (name,))))
