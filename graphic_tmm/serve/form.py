@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from dataclasses import MISSING
+from dataclasses import MISSING, replace
 from itertools import islice
 from pathlib import Path as File
 from typing import Any, NamedTuple
@@ -188,8 +188,10 @@ class _Written(NamedTuple):
         for name, one in known.items():
             if name in there:
                 yield from self.sort(one.kind, there[name], (*at, name), above, one)
-            elif isinstance(one.kind, Kind):
-                yield self.left_out(one, (*at, name), above)
+                continue
+            sort = one.kind.other if isinstance(one.kind, ByShape) else one.kind
+            if isinstance(sort, Kind):
+                yield self.left_out(replace(one, kind=sort), (*at, name), above)
         others: Sort | None = getattr(record, "OTHERS", None)
         if others is not None:
             rest = {name: value for name, value in there.items() if name not in known}
