@@ -10,7 +10,7 @@ from functools import cache
 import numpy as np
 import pytest
 from support.boards import drawn_of
-from support.gallery import NAMES, scene
+from support.gallery import NAMES, one_crank, scene
 from support.oracle import Motion, State, solve_from_points
 
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
@@ -27,6 +27,8 @@ from graphic_tmm.readers.position_count import told_off
 pytestmark = pytest.mark.every
 
 RATIO = 1e-9
+CRANKED = [name for name in NAMES if one_crank(name)]
+"""Of the others all links are judged together (`tests/judges/test_scenes_of_drives.py`)."""
 
 
 @cache
@@ -85,7 +87,7 @@ def test_the_scenes_use_what_a_task_may_ask_for() -> None:
     assert any(isinstance(extra, float) for scene in scenes for extra in scene.row.extra)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", CRANKED)
 def test_a_scene_is_drawn_at_every_position(name: str) -> None:
     made = work_of(name)
     assert made.undrawn == ()
@@ -94,7 +96,7 @@ def test_a_scene_is_drawn_at_every_position(name: str) -> None:
     assert not [finding for finding in made.findings() if finding.kind == "undrawn"]
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", CRANKED)
 def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> None:
     made = work_of(name)
     plan = KINEMATICS_PLAN.on(made).velocities
@@ -119,7 +121,7 @@ def test_every_point_and_every_velocity_equals_the_vector_loops(name: str) -> No
             assert abs(drawn - omega) <= RATIO * least, (place, number)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", CRANKED)
 def test_every_acceleration_equals_the_vector_loops(name: str) -> None:
     made = work_of(name)
     plan = KINEMATICS_PLAN.on(made).accelerations
@@ -172,7 +174,7 @@ def _letter(group: Group, link: int) -> str:
     return next(leg.pair.name for leg in group.legs if leg.link == link)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", CRANKED)
 def test_the_sides_are_kept(name: str) -> None:
     mechanism = scene(name).mechanism
     for state in states(name):

@@ -72,6 +72,13 @@ def scene(name: str) -> Scene:
     return read_once(SHEETS / name)
 
 
+def one_crank(name: str) -> bool:
+    """Whether one crank that turns drives the mechanism of a scene."""
+    mechanism = scene(name).mechanism
+    assert mechanism is not None
+    return not (mechanism.further or mechanism.drive.slides or mechanism.at_rest)
+
+
 def asking(*sections: str) -> list[str]:
     """Return the mechanisms of the package whose files have one of these sections; none is drawn."""
     return [name for name in NAMES if not scene(name).told.keys().isdisjoint(sections)]

@@ -57,13 +57,17 @@ class Driven(NamedTuple):
 
 
 class Place(NamedTuple):
-    """Where drives are balanced: the plan of positions, the frame, which kind; friction along guides."""
+    """Where drives are balanced: the plan of positions, the frame, which kind; friction along guides.
+
+    ``driven``: the links of all drives; the lever balances the first, and what balances the others is carried
+    onto it.
+    """
 
     draft: Draft
     positions: Positions
     frame: int
     kind: str
-    several: bool
+    driven: tuple[int, ...]
     tried: int | None
     slopes: dict[tuple[int, int], Slope]
     rough: bool
@@ -71,7 +75,7 @@ class Place(NamedTuple):
     def letter(self, symbol: str, link: int) -> str:
         """Return the letter of what balances a drive, with the pass of friction that it is of."""
         raised = "" if self.tried is None else f"^{{({self.tried})}}"
-        return f"{symbol}_{{b{link}}}{raised}" if self.several else f"{symbol}_b{raised}"
+        return f"{symbol}_{{b{link}}}{raised}" if len(self.driven) > 1 else f"{symbol}_b{raised}"
 
 
 def solve_crank(place: Place, figure: Detached, pair: DrivenPair, acting: Acting) -> Driven:
@@ -160,7 +164,7 @@ def read_rod(place: Place, pair: DrivenPair, groups: Iterable[Solved]) -> Driven
     length = draft.draw(measure_along, f"y_{{{letter}}}", tail, head, along, why=why.ROD_FORCE)
     balance = draft.draw(in_si, letter, length, unit="N")
     carried: tuple[Force, ...] = ()
-    if place.several:
+    if pair.link != place.driven[0]:
         carried = _pushes(place, solved, pair, letter, balance)
     return Driven(pair, letter, balance, carried, None, None)
 

@@ -298,10 +298,15 @@ def _solve(
         )
         hand_on(solved, acting, frame, figures.of)
         groups.append(solved)
-    several = len(ground.pairs) > 1
-    rough = order.friction is not None
     place = Place(
-        ground.draft, ground.positions, frame, order.balance, several, tried, rubbing.slopes, rough
+        ground.draft,
+        ground.positions,
+        frame,
+        order.balance,
+        tuple(pair.link for pair in ground.pairs),
+        tried,
+        rubbing.slopes,
+        order.friction is not None,
     )
     driven = solve_drives(place, ground.pairs, figures.of, acting, groups)
     return _Pass(tuple(groups), driven, acting, rubbing)

@@ -86,7 +86,8 @@ def test_every_link_bears_its_number_in_a_circle_that_nothing_crosses(name: str)
     labels = [
         next(one for one in view.labels if abs(middle(one) - centre(ring)) < 0.3) for ring in found
     ]
-    due = sorted(str(number) for number in mechanism.by_number)
+    links = (mechanism.frame, *mechanism.drawn)
+    due = sorted(str(link.number) for link in links)
     assert sorted(label.text for label in labels) == due
     for ring, own in zip(found, labels, strict=True):
         disc = shapely.Polygon(shape(ring).coords)
@@ -122,10 +123,17 @@ def test_the_line_from_a_number_ends_on_its_link(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_the_arrow_of_the_crank_bears_its_letter(name: str) -> None:
     made = KINEMATICS_PLAN.on(drawn(name))
-    (label,) = [one for one in plan(name).labels if one.text.startswith("ω")]
-    assert label.text == f"ω_{made.structure.first.link}"
-    pivot = spot(drawn(name), made.led[0], 0)
-    assert shapely.Point(pivot.real, pivot.imag).distance(box(label)) < 20.0
+    labels = [one for one in plan(name).labels if one.text.startswith(("ω", "v_"))]
+    moving = [pair for pair in made.pairs if pair.drive.speed]
+    turning = [bool(pair.arm_ends(made.positions)) for pair in moving]
+    own = (
+        f"ω_{pair.link}" if turns else pair.speed_letter
+        for pair, turns in zip(moving, turning, strict=True)
+    )
+    assert sorted(label.text for label in labels) == sorted(own)
+    if turning == [True]:
+        pivot = spot(drawn(name), made.led[0], 0)
+        assert shapely.Point(pivot.real, pivot.imag).distance(box(labels[0])) < 20.0
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -144,6 +152,7 @@ def test_a_guide_is_called_on_the_plan_as_in_the_equations(name: str) -> None:
 @pytest.mark.parametrize("name", NAMES)
 def test_extreme_positions_are_drawn_in_full_line_and_no_others(name: str) -> None:
     text = tomllib.loads((SHEETS / name / "scene.toml").read_text(encoding="utf-8"))["drive"]
+    text = text[0] if isinstance(text, list) else text
     count = text.get("positions", 12)
     due = {0} if isinstance(text.get("zero"), dict) else set()
     due |= {count + k for k, one in enumerate(text.get("extra", ())) if one == "other extreme"}
