@@ -29,6 +29,7 @@ ALLOWED = {
     "commands/new.py: 'planetary'",
     # what motion is asked for: a word of the face, and of a place of sheets
     "readers/any_angles/turn.py: 'forces'",
+    "readers/any_angles/results.py: 'forces'",
 }
 
 

@@ -171,7 +171,7 @@ def in_languages(name: str, many: Many) -> tuple[str, ...]:
 @pytest.mark.slow
 def test_the_equations_of_a_note_hold_with_what_it_states(name: str, many: Many) -> None:
     for language in in_languages(name, many):
-        held(of_note(name, language), 30)
+        held(of_note(name, language), 20)
 
 
 @pytest.mark.turns(2)

@@ -25,7 +25,7 @@ class GasPage(Page[T]):
         """Yield the indicator diagram: its division, pressures, areas, the force; the scale of the stroke."""
         name = self.chapter.name
         views = readable(self.drawn, lambda held: indicator_views(held, True, name))
-        if len(views) == 1:
+        if len(INDICATOR_PLAN.on(self.drawn).every) == 1:
             yield from self.view(VIEW, [picture(view, self.language) for view in views])
         else:
             every = INDICATOR_PLAN.on(self.drawn).every

@@ -19,6 +19,7 @@ from graphic_tmm.chapters.kinematics.bodies import Body
 from graphic_tmm.chapters.kinematics.extremes import OPPOSITE, draw_extreme
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row, Sweep
@@ -99,7 +100,7 @@ def _lengths(draft: Draft, sweep: Sweep, row: Row) -> Numbered:
             "drive.extra" if row.extra else "drive.zero",
             head="drive",
         )
-    draft.open(VIEW)
+    draft.open(POSITIONS)
     first, steps = _steps(row, 1.0)
     zero = draft.take(Number, f"{sweep.letter}_{{0}}", first, sweep.unit)
     by = draft.take(Number, f"Δ{sweep.letter}", steps[None, :], sweep.unit, roles.ROW)

@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 from support.words_of_drives import SCENES, amiss, told
 
+KEYS = re.compile(r'"crank": \[\]')
+"""What only code reads: that a page has no crank to be dragged."""
+
 
 @pytest.mark.slow
 @pytest.mark.parametrize("language", ["en", "ru"])
@@ -18,6 +21,6 @@ def test_a_drive_is_told_in_its_own_words(name: str, language: str, tmp_path: Pa
         (where, pattern, text[max(0, found.start() - 60) : found.end() + 40])
         for where, text in told(scene, language, tmp_path)
         for pattern in amiss(scene)
-        for found in re.finditer(pattern, text)
+        for found in re.finditer(pattern, KEYS.sub("", text))
     ]
     assert not wrong
