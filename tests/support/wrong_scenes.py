@@ -35,7 +35,12 @@ KEYS = [
     ("format =", "fromat =", ["sheet 1, fromat", 'did you mean "format"']),
     ("place =", "plan =", ["sheet 1, plan", 'did you mean "place"']),
     ("[title_block]", "[titleblock]", ["titleblock", 'did you mean "title_block"']),
-    ("[hand]", "[drive]", ["drive", "the section [drive] stands twice; put its keys into one"]),
+    (
+        "[hand]",
+        "[drive]",
+        ["drive", "the section [drive] stands twice; write [[drive]] in double brackets"],
+    ),
+    ("[hand]", "[scales]", ["scales", "the section [scales] stands twice; put its keys into one"]),
     ("[[link]]\nnumber = 2", "[link]\nnumber = 2", ["link", "write [[link]] in double brackets"]),
     ("C = [", "P = [", ["frame.P", "kept for the pole", "such as K, or number it"]),
     ("C = [", "Ax = [", ["frame.Ax", "is not a letter", "such as A, S2"]),
