@@ -123,28 +123,18 @@ class Arrows:
         return max(there, default=0.0)
 
     def stands_on(self, links: Iterable[Ink]) -> None:
-        """Tell the links that arrows stand on (see `beside`)."""
-        self.links = np.array([shape(stroke) for stroke in links], dtype=object)
+        """Tell the links that arrows stand on (see `off_line`)."""
+        self.links = np.array([_covered(stroke) for stroke in links], dtype=object)
 
-    def off_line(self, at: complex, way: complex, length: float) -> complex:
+    def off_line(self, at: complex, way: complex, length: float, links: np.ndarray) -> complex:
         """Return where an arrow of a point begins that shall not lie on the line of a link, mm.
 
         Where the link is on one side of its point only it stands on the other; where it is on both, beside it.
         """
-        if not self._on_link(at, at + length * way):
+        if not _on_link(at, at + length * way, links):
             return at
-        taken = self.reach(at, -way) or self._on_link(at, at - length * way)
+        taken = self.reach(at, -way) or _on_link(at, at - length * way, links)
         return at + BESIDE * 1j * way if taken else at - length * way
-
-    def _on_link(self, start: complex, end: complex) -> bool:
-        """Whether most of a line lies on the lines of links."""
-        drawn = shapely.LineString([(z.real, z.imag) for z in (start, end)])
-        near = self.links[shapely.dwithin(self.links, drawn, ON_LINK)]
-        if not near.size:
-            return False
-        spots = start + PIECES * (end - start)
-        there = shapely.points(spots.real, spots.imag)
-        return bool(shapely.dwithin(near[:, None], there, ON_LINK).any(axis=0).mean() > 0.5)
 
     def put(
         self,
@@ -157,13 +147,15 @@ class Arrows:
     ) -> None:
         """Draw an arrow along ``way`` (of length 1) from its point; to it where another goes there already.
 
-        Where both sides are taken it outreaches the other. A thin one does not lie on the links.
+        Where both sides are taken it outreaches the other. A thin one does not lie on the links, none in the
+        tube of a cylinder.
         """
         if not (finite(at, way) and length >= LEAST and way):
             return
-        start = self.off_line(at, way, length) if pen == "thin" else at
+        links = self.links if pen == "thin" else self.links[shapely.get_dimensions(self.links) == 2]
+        start = self.off_line(at, way, length, links)
         if start == at:
-            start, length = self._apart(at, way, length)
+            start, length = self._apart(at, way, length, links)
         to_it = ((start - at) * way.conjugate()).real < -LEAST
         self.taken.append((at, -way if to_it else way, length))
         shaft, *head = arrow(start, start + length * way, pen)
@@ -172,11 +164,13 @@ class Arrows:
         own = (start, start + length * way)
         self._named.append(Wanted(called, end, self.size, 1.5, end - at, told.of, self.index, own))
 
-    def _apart(self, at: complex, way: complex, length: float) -> tuple[complex, float]:
+    def _apart(
+        self, at: complex, way: complex, length: float, links: np.ndarray
+    ) -> tuple[complex, float]:
         """Return where an arrow of a point begins, and its length, so that it does not lie on another, mm."""
         if not self.reach(at, way):
             return at, length
-        if not self.reach(at, -way):
+        if not (self.reach(at, -way) or _on_link(at, at - length * way, links)):
             return at - length * way, length
         return at, max(length, self.reach(at, way) + STAGGER)
 
@@ -207,6 +201,24 @@ class Arrows:
 
     def _add(self, strokes: Iterable[Stroke], of: tuple[int, ...]) -> None:
         self.strokes += [s._replace(of=of, position=self.index) for s in strokes]
+
+
+def _covered(stroke: Ink) -> shapely.Geometry:
+    """Return the paper that a stroke of a link covers: a tube hides what lies in it."""
+    if isinstance(stroke, Stroke) and stroke.pen == "body" and stroke.part == "cylinder":
+        return shape(stroke._replace(filled=True))
+    return shape(stroke)
+
+
+def _on_link(start: complex, end: complex, links: np.ndarray) -> bool:
+    """Whether most of a line lies on the lines of links, or in their tubes."""
+    drawn = shapely.LineString([(z.real, z.imag) for z in (start, end)])
+    near = links[shapely.dwithin(links, drawn, ON_LINK)]
+    if not near.size:
+        return False
+    spots = start + PIECES * (end - start)
+    there = shapely.points(spots.real, spots.imag)
+    return bool(shapely.dwithin(near[:, None], there, ON_LINK).any(axis=0).mean() > 0.5)
 
 
 def action(seen: Seen, step: Step, k: int) -> tuple[complex, complex, complex]:

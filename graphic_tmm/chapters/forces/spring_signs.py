@@ -40,11 +40,12 @@ def draw_ink(spring: Spring, mechanism: Mechanism, start: complex, end: complex)
 
 
 def letter_of(spring: Spring, index: str) -> str:
-    """Return the letter that stands beside a spring: of its stiffness, of a damper its damping (mark-up)."""
+    """Return the letters that stand beside a spring: of what pulls, of what damps (mark-up)."""
     stiffness, _, preload, damping = constants(index)
-    if spring.rate is not None:
-        return markup(stiffness)
-    return markup(damping if spring.damping is not None else preload)
+    pulls = [stiffness if spring.rate is not None else preload] if _pulls(spring) else []
+    return ", ".join(
+        markup(one) for one in (*pulls, *([damping] if spring.damping is not None else []))
+    )
 
 
 def middle(spring: Spring, mechanism: Mechanism, start: complex, end: complex) -> complex:

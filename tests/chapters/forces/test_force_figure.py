@@ -26,7 +26,7 @@ from graphic_tmm.chapters.forces.views import force_table, force_views
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.given import drawn_as
-from graphic_tmm.paper.drawing import Stroke, line
+from graphic_tmm.paper.drawing import Ink, Stroke, line
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import shape
 from graphic_tmm.paper.symbols.dimensions import SHAFT
@@ -182,15 +182,23 @@ def test_a_reaction_along_a_link_stands_off_the_line_of_the_link(point: complex,
     assert min(abs(one - point.real) for one in (x, x_end)) < 1e-9
 
 
-@each("name", ["crank-press"])
-def test_no_reaction_to_be_found_lies_on_a_link(name: str) -> None:
+@each("name", ["crank-press", "tipper", "excavator", "shock-absorber"])
+def test_no_reaction_to_be_found_lies_on_a_link_and_no_arrow_in_a_tube(name: str) -> None:
     work = drawn(name, exact=True)
     for view in views_of(work, FORCES_PLAN.on(work).places[0]):
         bars = shapely.union_all([shape(one) for one in view.strokes if one.part == "link"])
+        filled = [one._replace(filled=True) for one in view.strokes if _is_tube(one)]
+        tubes = shapely.union_all([shape(one) for one in filled])
         for one in view.strokes:
-            if one.pen == "thin" and dict(one.data).get("segment", "").startswith("R"):
+            if (one.pen, *dict(one.data).get("segment", "")[:1]) == ("thin", "R"):
                 under = shape(one).intersection(shapely.buffer(bars, 0.6))
                 assert under.length < 0.25 * shape(one).length
+            if one.pen in ("thin", "over") and "segment" in dict(one.data):
+                assert shape(one).intersection(tubes).length <= 0.5 * shape(one).length
+
+
+def _is_tube(stroke: Ink) -> bool:
+    return isinstance(stroke, Stroke) and stroke.part == "cylinder" and stroke.pen == "body"
 
 
 def test_a_long_guide_of_a_group_ends_at_its_stone(tmp_path: Path) -> None:

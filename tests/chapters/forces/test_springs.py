@@ -214,6 +214,7 @@ def test_a_task_shows_and_gives_the_spring(tmp_path: Path, more: str) -> None:
     aside = (np.array(reach) * across.conj()).real
     assert max(aside) > 10.0  # beside the cylinder, which lies along it
     assert min(aside) > -1e-9
+    assert shown.wanted[0].text == ("c, b" if more else "c")
     given = {one.symbol: one.value for part in chapters() for one in (part_given(part, scene))}
     assert given["c"] == 1000.0
     assert given["l_0"] == pytest.approx(0.1)
