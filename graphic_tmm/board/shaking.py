@@ -9,6 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.blocks import part_of, spread
 from graphic_tmm.board.geometry import EPS
+from graphic_tmm.board.operations.instruments import bearing
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import (
     Angle,
@@ -94,6 +95,10 @@ def _block(steps: Sequence[Step], given: Mapping[Mark, Any], ruler: float | None
 def _with_error(step: Step, value: Any, shakes: Reals, ruler: float | None) -> Any:
     if step.op.leaves is Side:
         return value
+    if (
+        step.op is bearing
+    ):  # of a line to the left 180° and −180° are one: no trial jumps from one to the other
+        value = value - 360.0 * np.round((value - value[:1]) / 360.0)
     if ruler is None:
         return _moved(value, shakes)
     return value + shakes[0] / SHAKE * (ruler / 2.0) if step.op.reads else value

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from pathlib import Path
 
 import mpmath as mp  # type: ignore[import-untyped]
 import numpy as np
@@ -12,7 +13,10 @@ from support import oracle
 from support.drawn import board
 from support.hard_judge import DIGITS, exact_of, judge, right
 from support.hard_mechanisms import FRAMES, Frame, coulisse, four_bar, put, slider_crank
+from support.scenes import slider_crank as slider_crank_text
+from support.scenes import written
 
+import graphic_tmm as tmm
 from graphic_tmm.mechanism.records import Mechanism
 
 OFFS = (0.0, *(s * 10.0**-k for k in (3, 9, 15) for s in (1, -1)))
@@ -71,6 +75,21 @@ def test_a_slider_stands_at_its_dead_centres(frame: Frame) -> None:
     read = board(mechanism).read([[frame.angle(0.0), frame.angle(180.0)]])
     assert read["v"]["B", 3].tolist() == [0, 0]
     assert all(np.isfinite(v).all() for plan in read.values() for v in plan.values())
+
+
+@pytest.mark.parametrize("side", ["left", "right"])
+@pytest.mark.parametrize("turns", ["counterclockwise", "clockwise"])
+def test_a_row_from_a_dead_centre_at_half_a_turn_is_drawn(
+    side: str, turns: str, tmp_path: Path
+) -> None:
+    """The crank lies at 180° there, which is −180° as well: a rounding may tell either."""
+    drive = f'speed = 5\nturns = "{turns}"\npositions = 12\nextra = ["other extreme"]\n'
+    zero = f'zero = {{ point = "B", at = "{side}" }}\n'
+    table = tmm.draw(written(tmp_path, slider_crank_text(drive + zero))).table("velocities")
+    assert table.positions[-1] == "6*"
+    assert np.isfinite(table["pb"].value).all()
+    assert np.isfinite(table["omega2"].value).all()
+    assert table["pb"].value[[0, 6, 12]].tolist() == [0.0, 0.0, 0.0]
 
 
 @pytest.mark.parametrize("name", ["slider-crank", "four-bar", "rocker"])

@@ -28,7 +28,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.diagrams import words as why
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE, DIAGRAMS, VIEWS, KinematicTask, settled
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions, outer_guides
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions, sliding_points
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
@@ -139,8 +139,7 @@ def sliding_leg(
 
     ``section``: of a scene, whose ``key`` (``point``, if it is not told) names the point.
     """
-    guides = [leg for _, leg in outer_guides(positions.closings, section) if leg.body == frame]
-    points = [(point, leg) for leg in guides for point in positions.bodies[leg.link].link.points]
+    points = sliding_points(positions.closings, positions.bodies, frame, section)
     for point, leg in points:
         if point == letter:
             return leg

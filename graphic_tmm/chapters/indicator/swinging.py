@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -18,11 +19,17 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.indicator import words as why
 from graphic_tmm.chapters.indicator.task import INDICATOR
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, Positions, dyads
+from graphic_tmm.chapters.kinematics.bodies import (
+    GuideLeg,
+    PinLeg,
+    Positions,
+    dyads,
+    sliding_points,
+)
 from graphic_tmm.chapters.kinematics.dyads import rocker_offset
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, said
 
 ASIDE = 1e-3
 """So many degrees before and behind a position tell which way a piston goes there."""
@@ -39,13 +46,31 @@ class Swinging(NamedTuple):
 
 
 def swinging_of(positions: Positions, survey: Survey, letter: str) -> Swinging | None:
-    """Return the swinging cylinder whose rod is pinned at a point; None if there is none.
+    """Return the swinging cylinder whose rod is pinned at a point; None if none is, or it slides on the frame.
 
     Raises
     ------
     StructureError
-        If its rod is not on the crank, its pin not on the frame, or the rod not in line with the pin.
+        If its rod is not on the crank, its pin not on the frame, or the rod not in line with the pin; if there
+        are several.
     """
+    frame = survey.mechanism.frame.number
+    sliding = sliding_points(positions.closings, positions.bodies, frame, INDICATOR)
+    if letter in dict(sliding):
+        return None
+    cylinders = list(_pinned_at(positions, survey, letter))
+    if len(cylinders) > 1:
+        raise _refused(
+            said(
+                "rods of several cylinders that swing are pinned at {point}: pin each at a point of its own",
+                point=letter,
+            )
+        )
+    return cylinders[0] if cylinders else None
+
+
+def _pinned_at(positions: Positions, survey: Survey, letter: str) -> Iterator[Swinging]:
+    """Yield the swinging cylinders whose rods are pinned at a point."""
     mechanism = survey.mechanism
     for closing in dyads(positions.closings, INDICATOR):
         leg, pin = closing.legs
@@ -58,17 +83,18 @@ def swinging_of(positions: Positions, survey: Survey, letter: str) -> Swinging |
         straight = rocker_offset(closing.group, stone, rocker) == 0.0
         driven = leg.body == survey.structure.first.link and survey.sweep.closed
         if not (straight and driven and pin.body == mechanism.frame.number):
-            raise StructureError(
+            raise _refused(
                 said(
                     "the gas in a cylinder that swings is drawn where its rod is pinned to the crank, itself "
                     "to the frame, and both lie in one line; {point} is another",
                     point=letter,
-                ),
-                f"{INDICATOR}.point",
-                head=INDICATOR,
+                )
             )
-        return Swinging(leg, pin, closing.group.legs[1].pair.name)
-    return None
+        yield Swinging(leg, pin, closing.group.legs[1].pair.name)
+
+
+def _refused(why_not: Said) -> StructureError:
+    return StructureError(why_not, f"{INDICATOR}.point", head=INDICATOR)
 
 
 def draw_length(draft: Draft, survey: Survey, of: Swinging, letter: str) -> tuple[Mark, Mark]:

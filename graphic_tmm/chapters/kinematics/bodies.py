@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple, Never, NoReturn
 
@@ -192,6 +192,14 @@ def outer_guides(closings: Iterable[Closing], room: str) -> Iterator[tuple[Closi
     for closing, leg in legs_of(closings, room):
         if isinstance(leg, GuideLeg) and not leg.inner:
             yield closing, leg
+
+
+def sliding_points(
+    closings: Iterable[Closing], bodies: Mapping[int, Body], frame: int, room: str
+) -> list[tuple[str, GuideLeg]]:
+    """Return the points of links that slide on the frame, each with the leg by which it does."""
+    guides = [leg for _, leg in outer_guides(closings, room) if leg.body == frame]
+    return [(point, leg) for leg in guides for point in bodies[leg.link].link.points]
 
 
 def unheld(leg: Never, room: str) -> NoReturn:

@@ -138,6 +138,57 @@ def test_a_rod_beside_the_pin_is_refused(tmp_path: Path) -> None:
         drawing(tmp_path, text(30.0, "-", offset="0.01"))
 
 
+SECOND = """[[link]]
+number = 4
+points = { A = [0, 0] }
+slides = { on = 5, along = "w", side = "-" }
+[[link]]
+number = 5
+points = { D = [0, 0] }
+guides = { w = { through = [0, 0], angle = "0 deg" } }
+[drive]"""
+
+
+def test_two_rods_on_one_pin_are_refused(tmp_path: Path) -> None:
+    scene = text(30.0, "-").replace("[frame]", "[frame]\nD = [-0.05, -0.16]", 1)
+    with pytest.raises(TmmError, match="several cylinders that swing are pinned at A"):
+        drawing(tmp_path, scene.replace("[drive]", SECOND, 1))
+
+
+BEHIND_A_PISTON = f"""title = "T"
+language = "en"
+[frame]
+O = [0, 0]
+D = [0.35, -0.2]
+x = {{ through = [0, 0], angle = "0 deg" }}
+[[link]]
+number = 1
+points = {{ O = [0, 0], A = [{R}, 0] }}
+[[link]]
+number = 2
+points = {{ A = [0, 0], B = [0.2, 0] }}
+[[link]]
+number = 3
+points = {{ B = [0, 0] }}
+slides = {{ on = "frame", along = "x", side = "right" }}
+{SECOND.replace("A =", "B =")}
+link = 1
+speed = 10
+positions = 12
+[effects]
+gas = true
+[indicator]
+point = "B"
+{GAS}[forces]
+positions = [2]
+"""
+
+
+def test_a_piston_of_the_frame_keeps_its_gas_where_a_stone_is_pinned_to_it(tmp_path: Path) -> None:
+    made = drawing(tmp_path, BEHIND_A_PISTON)
+    assert [one.link for one in FORCES_PLAN.on(made).loads.forces if one.letter[0] == "P"] == [3]
+
+
 def test_a_task_sheet_shows_the_push_away_from_the_pin(tmp_path: Path) -> None:
     """The arrow ends before the rod's pin, on the side of the cylinder's."""
     scene = read(written(tmp_path, text(30.0, "-")))
