@@ -89,7 +89,7 @@ def test_a_row_from_a_dead_centre_at_half_a_turn_is_drawn(
     assert table.positions[-1] == "6*"
     assert np.isfinite(table["pb"].value).all()
     assert np.isfinite(table["omega2"].value).all()
-    assert table["pb"].value[[0, 6, 12]].tolist() == [0.0, 0.0, 0.0]
+    assert table["pb"].value[0, [0, 6, 12]].tolist() == [0.0, 0.0, 0.0]
 
 
 @pytest.mark.parametrize("name", ["slider-crank", "four-bar", "rocker"])
