@@ -260,6 +260,8 @@ def _refuse_other_drives(scene: Scene, chapter: Chapter) -> None:
         reason = said("{n} links are driven", n=len(mechanism.drives))
     elif mechanism.drive.slides:
         reason = said("link {link} slides", link=link)
+    elif mechanism.drive.rack:
+        reason = said("a rack turns link {link}", link=link)
     elif mechanism.drive.rates or mechanism.drive.gains:
         reason = said("the speed of link {link} changes", link=link)
     elif mechanism.at_rest:

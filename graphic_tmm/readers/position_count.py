@@ -87,10 +87,15 @@ def at_count(scene: Scene, count: int, board: str = MECHANISM) -> Scene | None:
     """Return the scene with another number of positions in the row of a board.
 
     Positions that the scene names keep their places in the turn; None if one of them is not a position of the
-    new row. What is given position by position is taken to be straight between them.
+    new row, or if the scene lists its places or its speeds. What else is given position by position is taken to
+    be straight between them.
     """
     if board == MECHANISM and count == scene.row.count:
         return scene
+    if board == MECHANISM and scene.mechanism is not None:
+        drive = scene.mechanism.drive
+        if scene.row.places or drive.rates or drive.gains:
+            return None
     found: Scene | None = scene
     for chapter in _called(scene, board):
         found = FinerRow.of(chapter).at_count(found, count) if found is not None else None

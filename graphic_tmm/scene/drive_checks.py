@@ -44,9 +44,14 @@ def _wrong_speed(
     drive: Drive | FurtherDrive, link: Link, frame: Frame, *, sliding: bool, racked: bool
 ) -> str:
     """Return what is wrong with a speed of what turns, or slides, "" if nothing is."""
+    written = [one for one in mechanism.as_row(drive.speed) if one and not isinstance(one, Bare)]
     if racked:
-        slides = all(isinstance(one, Metres | Bare) for one in mechanism.as_row(drive.speed))
+        slides = all(isinstance(one, Metres) for one in written)
         return "" if slides else said('a rack slides: write its speed, "0.2 m/s"')
+    if any(isinstance(one, Metres) != sliding for one in written):
+        return said(
+            'these are speeds of what slides and of what turns: write all as "0.2 m/s", or all as "380 rpm"'
+        )
     if sliding and not link.pairs:
         return said(
             "this is the speed of what slides, and link {number} slides on nothing: write its angular speed, "

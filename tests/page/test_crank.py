@@ -7,7 +7,7 @@ import json
 import numpy as np
 import pytest
 from support import gallery
-from support.drives import BOOM, LEVER, SLIDER, scene
+from support.drives import BOOM, LEVER, RACK, SLIDER, rated, scene
 from support.scripts import run
 
 import graphic_tmm as tmm
@@ -120,9 +120,10 @@ def test_a_row_with_ends_does_not_go_round() -> None:
     assert run(WITHIN, asked) == due
 
 
-@pytest.mark.parametrize("text", [BOOM, SLIDER, LEVER])
-def test_between_the_ends_of_a_row_rates_are_those_of_the_motion(text: str) -> None:
-    one = scene(text)
+@pytest.mark.parametrize("text", [BOOM, SLIDER, LEVER, RACK])
+@pytest.mark.parametrize("listed", [False, True])
+def test_between_the_ends_of_a_row_rates_are_those_of_the_motion(text: str, listed: bool) -> None:
+    one = scene(rated(text) if listed else text)
     made = tmm.draw(one, exact=True)._work.drawn_scene
     found = crank(made, ())
     assert found is not None

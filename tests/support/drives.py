@@ -100,6 +100,17 @@ direction = "-90 deg"
 """
 
 
+def rated(text: str) -> str:
+    """Return a scene whose drive has another speed and acceleration in each of its six positions."""
+    head, drive = text.split("[drive]")
+    unit = "rad/s" if "rad/s" in drive else "m/s"
+    kept = [line for line in drive.splitlines() if not line.startswith(("speed", "acceleration ="))]
+    speeds = [f"{0.1 * (k + 1):g} {unit}" for k in range(6)]
+    gains = [f"{0.2 * (k - 2):g} {unit}^2" for k in range(6)]
+    listed = f"speed = {speeds}\nacceleration = {gains}".replace("'", '"')
+    return "\n".join((f"{head}[drive]", listed, *kept, ""))
+
+
 def scene(text: str, link: int = 0, point: str = "") -> Scene:
     """Return a scene; with a load downwards on a point of a link, if one is named."""
     return tmm.read(text + (LOADS.format(link=link, point=point) if link else ""))

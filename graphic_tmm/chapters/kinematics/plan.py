@@ -32,7 +32,7 @@ from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, KINEMATIC
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Drive, Mechanism, Row, Sweep
+from graphic_tmm.mechanism.records import Drive, Extreme, Mechanism, Row, Sweep
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
@@ -131,7 +131,7 @@ def record(bench: Bench) -> KinematicPlans:
     mechanism, row = scene.mechanism, _over(scene.row, turns)
     assert mechanism is not None
     structure = dissect(mechanism)
-    _refuse_no_stroke(mechanism, row)
+    _refuse_unknown_places(mechanism, row)
     if mechanism.drive.rates and scene.scales.mu_v_is_mu_l_omega:
         raise StructureError(
             said("μ_v = μ_l·ω₁ holds for one ω₁; the speed is listed by positions: write mu_v"),
@@ -231,18 +231,35 @@ def closed(row: Row, pairs: Sequence[DrivenPair]) -> bool:
     first, *further = pairs
     if not first.sweep.closed or row.ends is not None or row.places:
         return False
-    ratios = (one.drive.speed / first.drive.speed for one in further)
+    ratios = (one.speed_ratio(first) for one in further)
     return all(one.sweep.closed for one in further) and all(ratio.is_integer() for ratio in ratios)
 
 
-def _refuse_no_stroke(mechanism: Mechanism, row: Row) -> None:
-    """Refuse several drives whose first slides from an unknown place: the others stand by its zero."""
-    if mechanism.further and mechanism.drive.slides and row.ends is None and not row.places:
-        raise StructureError(
-            said("several drives begin where the first does: write from and to in its [[drive]]"),
-            "drive.from",
-            head="drive",
+def _refuse_unknown_places(mechanism: Mechanism, row: Row) -> None:
+    """Refuse several drives where the zero or the speed of the first does not tell where the others stand."""
+    drive = mechanism.drive
+    if not mechanism.further:
+        return
+    says, key = None, "speed"
+    if drive.slides and row.ends is None and not row.places:
+        says = said("several drives begin where the first does: write from and to in its [[drive]]")
+        key = "from"
+    elif isinstance(row.zero, Extreme):
+        says = said(
+            "where a point is extreme hangs on all drives, which begin where the first does: give zero as "
+            "an angle"
         )
+        key = "zero"
+    elif drive.rates or drive.gains:
+        says = said(
+            "several drives go in the ratio of their speeds: give the first one speed, not a list"
+        )
+    elif not drive.speed and not mechanism.at_rest:
+        says = said(
+            "the first drive stands while others go: put one that goes first, or draw all at rest"
+        )
+    if says is not None:
+        raise StructureError(says, f"drive.{key}", head="drive")
 
 
 def _filled(row: Row, assembly: Assembly) -> Row:
@@ -251,7 +268,7 @@ def _filled(row: Row, assembly: Assembly) -> Row:
         return row
     sweep = assembly.sweep
     low, high = max(assembly.ranges or ((sweep.low, sweep.high),), key=lambda one: one[1] - one[0])
-    off = INSIDE * (high - low)
+    off = INSIDE * (high - low) if assembly.ranges else 0.0
     return replace(row, ends=(low + off, high - off))
 
 

@@ -97,19 +97,11 @@ def _changing(drawn: Drawn, made: KinematicPlans, turn: Turn) -> dict[Mark, obje
     period = made.tried.sweep.high if made.closed else None
     gone = np.abs(own - own[0])
     at = np.abs(turn.turned) if period is None else (drive.sense * turn.turned) % period
-    rows = {mark: np.ravel(np.asarray(drawn.given.get(mark))) for mark in _rated(made)}
+    rates = [mark for mark in drawn.construction.given if mark.role == roles.RATE]
     return {
-        mark: np.interp(at, gone, row, period=period)[None, :]
-        for mark, row in rows.items()
-        if row.size == made.count
+        mark: np.interp(at, gone, np.ravel(np.asarray(drawn.given[mark])), period=period)[None, :]
+        for mark in rates
     }
-
-
-def _rated(made: KinematicPlans) -> set[Mark]:
-    """Return the marks of plans of vectors that are given of the first drive."""
-    link, plans = made.mechanism.drive.link, (made.velocities, made.accelerations)
-    there = [plan for plan in plans if plan is not None]
-    return {row[link] for plan in there for row in (plan.speeds, plan.rates) if link in row}
 
 
 def moving(drawn: Drawn) -> Iterator[Moving]:

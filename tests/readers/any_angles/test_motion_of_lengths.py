@@ -6,7 +6,7 @@ import warnings
 
 import numpy as np
 import pytest
-from support.drives import BOOM, LEVER, RACK, SLIDER, scene
+from support.drives import BOOM, LEVER, RACK, SLIDER, rated, scene
 
 import graphic_tmm
 from graphic_tmm.errors import ConstructionError
@@ -60,6 +60,21 @@ def test_what_drives_has_the_power_of_the_load(
         assert steps.keys() == compiled.keys()
         for key, row in steps.items():
             np.testing.assert_allclose(compiled[key], row, rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("text", [BOOM, SLIDER, LEVER, RACK])
+def test_rates_that_are_listed_hold_at_their_positions_and_between_in_proportion(text: str) -> None:
+    one = scene(rated(text))
+    assert one.row.ends is not None
+    at = np.linspace(*one.row.ends, 11)
+    found = graphic_tmm.motion(one, at, exact=True)
+    sheet = graphic_tmm.draw(one, exact=True)
+    for table, quantity, letter in (
+        ("velocities", found.omega, "omega2"),
+        ("accelerations", found.epsilon, "epsilon2"),
+    ):
+        due = sheet.table(table)[letter].value.ravel()
+        np.testing.assert_allclose(quantity[2][::2], due, rtol=1e-9, atol=1e-9)
 
 
 def test_lengths_are_named_so() -> None:

@@ -10,7 +10,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import product, product_of_squares, to_board
 from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, square
 from graphic_tmm.board.record import Mark, between
-from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Body, Positions, draw_points, stand
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, Sizes
@@ -115,15 +115,15 @@ class Crank(DrivenPair):
 
     def turning(self, draft: Draft) -> Mark:
         """Take how fast it turns, without its sign."""
-        return draft.take(Number, f"ω_{self.link}", self.rates(signed=False), "1/s")
+        return self.take(draft, f"ω_{self.link}", self.rates(signed=False), "1/s")
 
     def turning_back(self, draft: Draft) -> Mark:
         """Take how fast it turns clockwise, with its sign."""
-        return draft.take(Number, f"(−ω_{self.link})", self.rates(signed=True), "1/s")
+        return self.take(draft, f"(−ω_{self.link})", self.rates(signed=True), "1/s")
 
     def gaining(self, draft: Draft) -> Mark:
         """Take its angular acceleration."""
-        return draft.take(Number, f"ε_{self.link}", self.gains, "1/s²")
+        return self.take(draft, f"ε_{self.link}", self.gains, "1/s²")
 
     def acceleration(
         self, draft: Draft, positions: Positions, velocities: Motion, plan: Motion

@@ -83,7 +83,7 @@ class Cylinder(DrivenPair):
 
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
         """Take how fast the rod runs out; its group draws it."""
-        speed = lines.draft.take(Number, self.speed_letter, self.rates(signed=True), "m/s")
+        speed = self.take(lines.draft, self.speed_letter, self.rates(signed=True), "m/s")
         plan.speeds[self.link] = speed
 
     def acceleration(
@@ -91,7 +91,7 @@ class Cylinder(DrivenPair):
     ) -> None:
         """Take how fast it gains speed, if it does; its group draws it."""
         if self.drive.acceleration:
-            gain = draft.take(Number, self.gain_letter, self.gains, "m/s²")
+            gain = self.take(draft, self.gain_letter, self.gains, "m/s²")
             plan.speeds[self.link] = gain
 
     @property

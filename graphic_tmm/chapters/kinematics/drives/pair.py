@@ -10,6 +10,7 @@ from typing import Generic, NamedTuple, TypeVar
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import (
     angle_by_angle,
@@ -18,7 +19,7 @@ from graphic_tmm.board.operations.formulas import (
     length_by_length,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.board.values import Angle, Number, Reals
 from graphic_tmm.chapters.kinematics.bodies import Body, Positions
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
@@ -71,17 +72,21 @@ class DrivenPair(ABC):
             return float(self.drive.sense)
         return self.drive.speed
 
-    def rates(self, *, signed: bool) -> object:
+    def rates(self, *, signed: bool) -> float | Reals:
         """Return its rate as it is given: a number, or a row of positions (1, position)."""
-        if self.drive.rates:
+        if self.drive.rates and not self.mechanism.at_rest:
             row = np.array(self.drive.rates)[None, :]
             return row if signed else np.abs(row)
         return self.speed if signed else abs(self.speed)
 
     @property
-    def gains(self) -> object:
+    def gains(self) -> float | Reals:
         """Its second rate as it is given: a number, or a row of positions (1, position)."""
         return np.array(self.drive.gains)[None, :] if self.drive.gains else self.drive.acceleration
+
+    def take(self, draft: Draft, letter: str, rate: float | Reals, unit: str) -> Mark:
+        """Take a rate or a second rate as it is given."""
+        return draft.take(Number, letter, rate, unit, roles.RATE if np.size(rate) > 1 else "")
 
     @property
     def pair(self) -> Pair:
@@ -148,11 +153,15 @@ class DrivenPair(ABC):
             kinds[own.turns], f"{own.letter}_{{{self.link},0}}", self.drive.start, own.unit
         )
         per = math.degrees(1.0) if own.turns else 1.0, math.degrees(1.0) if other.turns else 1.0
-        ratio = self.drive.speed * per[0] / (first.drive.speed * per[1])
+        ratio = self.speed_ratio(first) * per[0] / per[1]
         unit = "" if own.turns == other.turns else f"{own.unit}/{other.unit}"
         share = draft.take(Number, f"i_{{{self.link}{first.link}}}", ratio, unit)
         begin = draft.take(kinds[other.turns], f"{other.letter}_{{0}}", zero, other.unit)
         return draft.draw(op, number, start, share, row, begin, unit=own.unit)
+
+    def speed_ratio(self, first: DrivenPair) -> float:
+        """Return how many times as fast as the first drive it goes (SI); what stands stays where it is."""
+        return self.drive.speed / first.drive.speed if self.drive.speed else 0.0
 
     @property
     def sizes(self) -> Sizes[float]:

@@ -70,19 +70,19 @@ class Rack(Crank):
 
     def turning(self, draft: Draft) -> Mark:
         """Calculate how fast the wheel turns, without its sign."""
-        speed = draft.take(Number, self.speed_letter, self.rates(signed=False), "m/s")
+        speed = self.take(draft, self.speed_letter, self.rates(signed=False), "m/s")
         radius = self._taken_radius(draft)
         return draft.draw(by_rack, f"ω_{self.link}", speed, radius, unit="1/s")
 
     def turning_back(self, draft: Draft) -> Mark:
         """Calculate how fast the wheel turns clockwise, with its sign."""
-        back = draft.take(Number, f"(−{self.speed_letter})", self.rates(signed=True), "m/s")
+        back = self.take(draft, f"(−{self.speed_letter})", self.rates(signed=True), "m/s")
         radius = self._taken_radius(draft)
         return draft.draw(by_rack, f"(−ω_{self.link})", back, radius, unit="1/s")
 
     def gaining(self, draft: Draft) -> Mark:
         """Calculate the angular acceleration of the wheel."""
-        gain = draft.take(Number, self.gain_letter, self.gains, "m/s²")
+        gain = self.take(draft, self.gain_letter, self.gains, "m/s²")
         radius = self._taken_radius(draft)
         return draft.draw(by_rack, f"ε_{self.link}", gain, radius, unit="1/s²")
 

@@ -105,7 +105,7 @@ class Slider(DrivenPair):
         """Draw the velocity of its point."""
         draft, pole, letter = lines.draft, plan.images.pole, image_letter(self.pin)
         draft.say(f"{self.speed_letter} ∥ {self.pair.name}")
-        speed = draft.take(Number, self.speed_letter, self.rates(signed=True), "m/s")
+        speed = self.take(draft, self.speed_letter, self.rates(signed=True), "m/s")
         plan.speeds[self.link] = speed
         segment = between(pole, letter)
         length = draft.draw(to_board, segment, speed)
@@ -131,7 +131,7 @@ class Slider(DrivenPair):
             self._hang(positions, plan, pole)
             return
         draft.say(f"{self.gain_letter} ∥ {self.pair.name}")
-        gain = draft.take(Number, self.gain_letter, self.gains, "m/s²")
+        gain = self.take(draft, self.gain_letter, self.gains, "m/s²")
         segment = between(pole, letter)
         length = draft.draw(to_board, segment, gain)
         path = self.path(positions, draft.uses)
