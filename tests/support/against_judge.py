@@ -15,8 +15,8 @@ from graphic_tmm.page.practice.pack import Packing
 from graphic_tmm.page.practice.tasks import sheet_row
 from support.benches import Packed, numbers, worked
 from support.boards import in_usual_size
-from support.free_bodies import State
-from support.free_forces import statics
+from support.free_bodies import Judge, State
+from support.free_forces import Statics, statics
 from support.random_mechanisms import Random
 
 PLANS: tuple[Any, ...] = ("positions", "velocities", "accelerations", "forces")
@@ -113,12 +113,33 @@ def _forces(drawn: Random, state: State, way: float, found: Any, k: int, note: A
     turned = math.degrees(way) * math.copysign(1.0, drawn.judge.drives[0].rate)
     due = statics(drawn.judge, state, turned)
     note("power", abs(due.power), 1.0)
-    names = {f"R{i}{j}": force for (i, j), force in due.reactions.items()}
+    names = reactions(drawn.judge, due, found.forces)
     for name, values in found.forces.items():
-        note("forces", abs(values[k] - names[name.replace(",", "")]), due.largest)
+        note("forces", abs(values[k] - names[name]), due.largest)
+    assert found.balance
     for name, values in found.balance.items():
         arm = drawn.judge.size if name.startswith("M") else 1.0
         note("balance", abs(values[k] - due.drives[0]), due.largest * arm)
+
+
+def reactions(judge: Judge, due: Statics, names: Iterable[str]) -> dict[str, complex]:
+    """What each of the names stands for, N.
+
+    Every pair has one of its two reactions among them, but a driving rod and its cylinder: between them is what
+    the drive needs.
+    """
+    by_name = {name.replace(",", ""): name for name in names}
+    of = {f"R{i}{j}": force for (i, j), force in due.reactions.items()}
+    body = judge.words.bodies
+    rods = {
+        frozenset((body[drive.tip.body].number, body[drive.line.body].number))
+        for drive in judge.drives
+        if drive.kind == "rod"
+    }
+    for i, j in due.reactions:
+        told = {f"R{i}{j}", f"R{j}{i}"} & by_name.keys()
+        assert told or {i, j} in rods, f"no reaction between {i} and {j} in {sorted(by_name)}"
+    return {name: of[own] for own, name in by_name.items()}
 
 
 def page_is_right(scene: Mapping[str, Any], folder: Path) -> None:

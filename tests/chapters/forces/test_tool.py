@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from support.against_judge import clear, page_is_right, parameter, ways
+from support.against_judge import clear, page_is_right, parameter, reactions, ways
 from support.free_bodies import Judge
 from support.free_forces import statics
 from support.random_mechanisms import KINDS, Random, drawn
@@ -98,10 +98,8 @@ def judged(kinds: tuple[str, ...], drive: str, seed: int) -> int:
         assert abs(right.power) < 1e-9
         largest = max(right.largest, abs(due))
         assert abs(motion.balance["P_tool"][k] - due) <= 1e-8 * largest, (seed, k)
-        reactions = {f"R{i}{j}": force for (i, j), force in right.reactions.items()}
-        for name, values in motion.forces.items():
-            due = reactions[name.replace(",", "")]
-            assert abs(values[k] - due) <= 1e-8 * largest, (seed, name)
+        for name, force in reactions(found.judge, right, motion.forces).items():
+            assert abs(motion.forces[name][k] - force) <= 1e-8 * largest, (seed, name)
         (left,) = (values for name, values in motion.balance.items() if name.endswith("_bal_left"))
         assert abs(left[k]) <= 1e-8 * largest * max(1.0, found.judge.size)
         compared += 1
