@@ -62,7 +62,7 @@ def _given(ground: Ground, load: Load, loads: Loads) -> Force | Couple:
         )
     draft = ground.draft
     point, image = point_of(ground, load.link, load.point)
-    letter = _letter(ground, "F", index_of(load))
+    letter = free_letter(ground, "F", index_of(load))
     if load.direction != AGAINST:
         size = _size(ground, load, letter, "N", loads)
         line = line_of(ground, load.direction, point, letter)
@@ -111,8 +111,8 @@ def numbered(symbol: str, index: str, number: int) -> str:
     return f"{symbol}_{index}" if number == 1 else f"{symbol}_{{{index.strip('{}')}({number})}}"
 
 
-def _letter(ground: Ground, symbol: str, index: str) -> str:
-    """Return the letter of a load that no other load bears."""
+def free_letter(ground: Ground, symbol: str, index: str) -> str:
+    """Return the letter of a load that nothing else in the view bears."""
     board = ground.draft.board
     tried = (numbered(symbol, index, number) for number in count(1))
     return next(letter for letter in tried if board.free(letter) == letter)
@@ -123,7 +123,7 @@ def _opposite(ground: Ground, load: Load, given: Force | Couple) -> Iterator[For
     draft, link = ground.draft, load.opposite
     if link is None or link == ground.mechanism.frame.number:
         return
-    letter = _letter(ground, given.letter[0], between(load.link, link))
+    letter = free_letter(ground, given.letter[0], between(load.link, link))
     if isinstance(given, Couple):
         yield Couple(letter, link, draft.draw(reversed_, letter, given.value, unit="N·m"))
         return
@@ -164,7 +164,7 @@ def _against(ground: Ground, letter: str, point: Mark, image: Mark, reading: Mar
 
 def _moment(ground: Ground, load: Load, loads: Loads) -> Couple:
     draft, plan = ground.draft, ground.velocities
-    letter = _letter(ground, "M", index_of(load))
+    letter = free_letter(ground, "M", index_of(load))
     if load.direction != AGAINST:
         return Couple(letter, load.link, _size(ground, load, letter, "N·m", loads))
     rate = plan.rates.get(load.link)

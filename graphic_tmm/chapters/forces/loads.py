@@ -59,10 +59,10 @@ class Ends(NamedTuple):
         return first + last, last + first
 
     @property
-    def forces(self) -> tuple[str, str]:
-        """The letters of the forces on its ends, each towards the other: F_{AC}, F_{CA}."""
+    def indices(self) -> tuple[str, str]:
+        """The indices of the forces on its ends, each towards the other: {AC}, {CA}."""
         first, last = self.names
-        return f"F_{{{first}}}", f"F_{{{last}}}"
+        return f"{{{first}}}", f"{{{last}}}"
 
 
 class Sprung(NamedTuple):

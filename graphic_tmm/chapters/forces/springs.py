@@ -14,6 +14,7 @@ from graphic_tmm.board.operations.statics import reversed_
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
+from graphic_tmm.chapters.forces.given_loads import free_letter
 from graphic_tmm.chapters.forces.kinds import ends_on
 from graphic_tmm.chapters.forces.loads import Ends, Force, Ground, Sprung, point_of
 from graphic_tmm.chapters.forces.operations import damper_force, preloaded_force, spring_force
@@ -64,7 +65,7 @@ def draw_spring(ground: Ground, spring: Spring, index: str) -> tuple[Sprung, lis
         point_of(ground, link, letter)
         for letter, link in zip(ends.letters, ends.links, strict=True)
     )
-    letter, back = (_free(ground, one) for one in ends.forces)
+    letter, back = (free_letter(ground, "F", index) for index in ends.indices)
     line = draft.draw(join, f"({letter})", start, end, why=why.SPRING_LINE)
     length = pull = held = None
     whole = spring.damping is None
@@ -86,14 +87,6 @@ def draw_spring(ground: Ground, spring: Spring, index: str) -> tuple[Sprung, lis
         reverse = draft.draw(reversed_, back, value, unit="N")
         forces.append(Force(back, ends.links[1], end, across, reverse, other))
     return Sprung(spring, ends, length, pull if length is not None else None, index), forces
-
-
-def _free(ground: Ground, letter: str) -> str:
-    """Return the letter of a force, numbered if another spring between these points bears it."""
-    board, number = ground.draft.board, 1
-    while board.free(found := letter if number == 1 else f"{letter[:-1]}({number})}}") != found:
-        number += 1
-    return found
 
 
 def _pull(ground: Ground, spring: Spring, index: str, length: Mark, letter: str) -> Mark:

@@ -148,6 +148,20 @@ def test_the_power_is_that_of_the_length(tmp_path: Path, between: str, more: str
         np.testing.assert_allclose(made.reading[found][0] * 0.04, force * by_phi, atol=1e-9)
 
 
+@pytest.mark.parametrize("damping", ["", 'damping = "80 N*s/m"\n'])
+def test_springs_between_the_same_points_bear_letters_of_their_own(
+    tmp_path: Path, damping: str
+) -> None:
+    turned = RATED.replace('["A", "C"]', '["C", "A"]')
+    three = f"{RATED}{damping}[[spring]]\n{turned}{damping}[[spring]]\n{RATED}"
+    made = drawn(scene_of(tmp_path, three))
+    forces, due = FORCES_PLAN.on(made), ["F_{AC}", "F_{AC(2)}", "F_{AC(3)}"]
+    assert [one.letter for one in forces.loads.forces] == due
+    assert [one.value.letter for one in forces.loads.forces] == due
+    assert [one.line.name for one in forces.loads.forces] == [f"({letter})" for letter in due]
+    assert [one.letter for one in forces.lever.forces] == due
+
+
 def test_a_rate_in_newtons_a_millimetre(tmp_path: Path) -> None:
     told = [RATED, RATED.replace("1 kN/m", "1 N/mm"), RATED.replace("1 kN/m", "0.001 kN/mm")]
     rates = [read(scene_of(tmp_path, one)).tasks["forces"].springs[0].rate for one in told]
