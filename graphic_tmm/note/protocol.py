@@ -39,6 +39,8 @@ PLAIN = (to_board, rescaled, in_si, on_lever, moment)
 LEAST = 2
 """A formula of more sides than these stands on a line of its own; what is only read stands in its sentence."""
 
+RELATIONS = "=∥⊥"
+"""By these a remark before a step is a formula: v_A = ω_1·l_OA, v_B ∥ x; a name else."""
 MEASURED = said("Read off the drawing, with their signs: ")
 
 Known = set[Runs | str]
@@ -297,7 +299,7 @@ class _Page:
         """Yield what stands before a step: a heading with the equations of its group, or a formula."""
         language, equation = self.told.language, self.solved.get(note)
         told = symbol(heading(note, language), language)
-        if "=" in told:
+        if any(sign in told for sign in RELATIONS):
             sides, *behind = (Symbol(one) for one in told.split(",  "))
             self.behind = tuple(behind)
             self.equations.append(Display((Formula((sides,), behind=self.behind),)))

@@ -53,7 +53,7 @@ def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
     size = row.count + len(extras)
     turned = np.zeros((1, size))
     turned[0, : row.count] = _steps(row, sense)[1]
-    draft.open(VIEW)
+    draft.open(POSITIONS if row.open else VIEW)
     by = draft.take(Angle, "Δφ", turned, "°", roles.ROW)
     because = why.FROM_FIRST if row.open else ""
     phi = draft.draw(advance, "φ_{n}", zero, by, unit="°", why=because)
