@@ -10,7 +10,7 @@ from support.laid_out import case_file
 from support.notes import noted, parts
 
 from graphic_tmm.board.formula_text import FUNCTIONS, tree_of
-from graphic_tmm.note.document import Formula, Symbol, Table, Text, Tree, runs_of, walk
+from graphic_tmm.note.document import Formula, Heading, Symbol, Table, Text, Tree, runs_of, walk
 from graphic_tmm.note.figures import going_on
 from graphic_tmm.note.widths import broken
 
@@ -139,3 +139,17 @@ def test_a_docx_does_not_end_in_a_page_of_two_lines() -> None:
     assert len(kept) > 3
     assert all("<w:keepNext />" in one for one in kept)
     assert "<w:keepNext />" not in last
+
+
+def test_the_direction_of_what_slides_is_a_formula() -> None:
+    """«v_B ∥ x» keeps its small letter: no heading of a group."""
+    shown = [one for block in walk(noted("gripper").blocks) for one in runs_of(block)]
+    assert any(isinstance(one, Formula) and one.sides == (Symbol("v_B ∥ x"),) for one in shown)
+    assert not [one for one in shown if isinstance(one, Text) and "∥" in one.text]
+
+
+def test_an_open_row_has_no_extreme_positions() -> None:
+    blocks = [one for one in noted("hand-clamp", "en").blocks if isinstance(one, Heading)]
+    headings = [run.text for one in blocks for run in one.runs if isinstance(run, Text)]
+    assert "Plan of positions" in headings
+    assert "Extreme positions" not in headings
