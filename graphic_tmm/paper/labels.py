@@ -58,32 +58,47 @@ _DEAR = (30.0, 440.0)
 """A place that costs more is left for one farther away, if there is a better one; and for one farther still:
 there a letter stands on a main line or on another."""
 
+_ANEW = 4
+"""How often the labels of a view are placed at most."""
+
 
 def place(
     wanted: Sequence[Wanted], strokes: Sequence[Ink], taken: Sequence[Label] = ()
 ) -> tuple[Label, ...]:
-    """Return the labels at their places, in the order wanted; ``taken`` labels stand already."""
-    occupied = Occupied()
-    for label in taken:
-        occupied.letter(*upright(frame(label)))
+    """Return the labels at their places, in the order wanted; ``taken`` labels stand already.
+
+    Each takes the best place that those before it leave. Where that is on a main line, on a letter or across a
+    leader, all are placed anew with this one first; the arrangement that costs least stays.
+    """
     lines = inks(wanted, strokes)
     spots = np.array([one.at for one in wanted])
-    beside = tried(wanted, RINGS[0], lines)
-    return tuple(
-        _placed(one, boxes, lines, occupied, spots)
-        for one, boxes in zip(wanted, beside, strict=True)
-    )
+    nearest = tried(wanted, RINGS[0], lines)
+    order, least = list(range(len(wanted))), np.inf
+    best: tuple[Label, ...] = ()
+    for _ in range(_ANEW):
+        occupied = Occupied()
+        for label in taken:
+            occupied.letter(*upright(frame(label)))
+        placed = {k: _placed(wanted[k], nearest[k], lines, occupied, spots) for k in order}
+        cost = sum(cost for cost, _ in placed.values())
+        if cost < least:
+            least, best = cost, tuple(placed[k][1] for k in sorted(placed))
+        worst = max(order, key=lambda k: placed[k][0], default=0)
+        if not placed or placed[worst][0] <= _DEAR[1] or order[0] == worst:
+            break
+        order = [worst, *(k for k in order if k != worst)]
+    return best
 
 
 def _placed(
-    one: Wanted, beside: Boxes, inks: Sequence[Lines], occupied: Occupied, spots: Spots
-) -> Label:
-    """Return a label at the place that costs least, and take it.
+    one: Wanted, nearest: Boxes, inks: Sequence[Lines], occupied: Occupied, spots: Spots
+) -> tuple[float, Label]:
+    """Return what the best place of a label costs, and the label, which takes the place.
 
-    ``beside``: the nearest places; farther ones are tried where all of these cost much. ``spots``: all
+    ``nearest``: the nearest places; farther ones are tried where all of these cost much. ``spots``: all
     lettered points.
     """
-    found = _cheapest(one, beside, inks, occupied, spots)
+    found = _cheapest(one, nearest, inks, occupied, spots)
     for dear, rings in zip(_DEAR, RINGS[1:], strict=True):
         if found[0] <= dear:
             break
@@ -91,14 +106,14 @@ def _placed(
         found = min(
             found, _cheapest(one, farther, inks, occupied, spots), key=lambda found: found[0]
         )
-    _, rect = found
+    cost, rect = found
     occupied.letter(rect.grown(CLEAR / 2))
     line = _leader(one, rect)
     if line is not None:
         occupied.leader(line)
     made = letter(one.text, size=one.size)
     at = complex(rect.left - made.left, rect.bottom + made.descent)
-    return Label(one.text, at, one.size, of=one.of, position=one.position)
+    return cost, Label(one.text, at, one.size, of=one.of, position=one.position)
 
 
 def _cheapest(
