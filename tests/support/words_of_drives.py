@@ -149,6 +149,8 @@ ROW = 'positions = 4\naccelerations = "all"\n'
 ROD = '[drive]\nlink = 3\nfrom = "600 mm"\nto = "850 mm"\n' + ROW
 SLIDES = '[drive]\nlink = 1\nfrom = "250 mm"\nto = "350 mm"\n' + ROW
 OPEN_CRANK = '[drive]\nlink = 1\nfrom = "20 deg"\nto = "75 deg"\n' + ROW
+RACK = OPEN_CRANK.replace('"20 deg"', '"10 mm"').replace("75 deg", "120 mm")
+RACK += 'speed = "0.2 m/s"\nrack = "40 mm"\n'
 FURTHER = "[[drive]]\nlink = {link}\nspeed = {speed}\nat = {at}\n"
 BOOM_FORCES = FORCES.replace("link = 3", "link = 1").replace('"B"', '"C"')
 
@@ -158,16 +160,23 @@ def _drives(first: str, *, link: int, speed: str, at: str) -> str:
 
 
 class Scene(NamedTuple):
-    """A scene: its tables; what drives it (crank, slider, rod); its first drive's sheets."""
+    """A scene: its tables; what drives it (crank, slider, rod, rack), that of its row first."""
 
     tables: str
-    drives: frozenset[str]
+    drives: tuple[str, ...]
     rests: bool = False
 
     @property
     def turns(self) -> bool:
         """Whether a link is driven that turns about a fixed pivot."""
-        return "crank" in self.drives
+        return not {"crank", "rack"}.isdisjoint(self.drives)
+
+    @property
+    def driven(self) -> list[tuple[int, str]]:
+        """The links that are driven, each with what drives it."""
+        told = tomllib.loads(self.tables)["drive"]
+        links = [one["link"] for one in (told if isinstance(told, list) else [told])]
+        return list(zip(links, self.drives, strict=True))
 
     def text(self, language: str) -> str:
         """Return the scene as a person writes it."""
@@ -182,7 +191,7 @@ class Scene(NamedTuple):
 
 
 def _scene(drives: str, *tables: str, rests: bool = False) -> Scene:
-    return Scene("\n".join(tables), frozenset(drives.split()), rests)
+    return Scene("\n".join(tables), tuple(drives.split()), rests)
 
 
 SPEED, TURNS = 'speed = "0.05 m/s"\n', "speed = 5\n"
@@ -207,8 +216,8 @@ SCENES: Mapping[str, Scene] = {
         BOOM,
         '[drive]\nlink = 3\nspeed = "0.05 m/s"\npositions = ["600 mm", "700 mm", "710 mm"]\n',
     ),
-    "two cylinders": _scene("rod", EXCAVATOR, RODS),
-    "two cylinders forces": _scene("rod", EXCAVATOR, RODS, BOOM_FORCES),
+    "two cylinders": _scene("rod rod", EXCAVATOR, RODS),
+    "two cylinders forces": _scene("rod rod", EXCAVATOR, RODS, BOOM_FORCES),
     "slider": _scene("slider", SLIDER, SLIDES + SPEED),
     "slider gaining": _scene("slider", SLIDER, SLIDES + SPEED + 'acceleration = "0.3 m/s^2"\n'),
     "slider path": _scene("slider", '[plans]\ntrajectories = ["C"]', SLIDER, SLIDES + SPEED),
@@ -223,43 +232,85 @@ SCENES: Mapping[str, Scene] = {
         SLIDER,
         '[drive]\nlink = 1\nspeed = "0.05 m/s"\npositions = ["260 mm", "300 mm"]\n',
     ),
-    "two cranks": _scene("crank", FIVE_BAR, TWO),
-    "two cranks forces": _scene("crank", FIVE_BAR, TWO, FORCES),
+    "two cranks": _scene("crank crank", FIVE_BAR, TWO),
+    "two cranks forces": _scene("crank crank", FIVE_BAR, TWO, FORCES),
     "crank and slider": _scene("crank slider", SLIDER_AND_CRANK, CRANK_AND_SLIDER),
-    "slider and crank": _scene("crank slider", SLIDER_AND_CRANK, SLIDER_AND_CRANK_DRIVE),
+    "slider and crank": _scene("slider crank", SLIDER_AND_CRANK, SLIDER_AND_CRANK_DRIVE),
     "open crank": _scene("crank", PRESS, OPEN_CRANK + TURNS, FORCES),
     "crank at rest": _scene("crank", PRESS, OPEN_CRANK + AT_REST, FORCES, rests=True),
+    "rack": _scene("rack", PRESS, RACK),
     "crank places": _scene(
         "crank", PRESS, '[drive]\nlink = 1\nspeed = 5\npositions = ["0 deg", "35 deg"]\n'
     ),
 }
 """Scenes by what drives them and what they show."""
 
-ANY = (r"None\b", r"\bnan\b", r"degree C", r"class II, order 2, kind (6|7)")
+ANY = (r"(?-i:None)\b", r"\bnan\b", r"degree C", r"class II, order 2, kind (6|7)")
 """What nobody may say."""
+SUM_WITH_ITSELF = (r"([va]_\S+) = \1 ?\+",)
+"""An equation that is none."""
 NO_CRANK = (
-    *(r"\bcranks?\b", r"[Кк]ривошип", r"\brpm\b", r"об/мин", r"turns? a minute", r"оборот"),
-    *(r"crank pin", r"whole turn", r"one turn", r"sense of turning", r"angle_deg"),
+    *(r"\bcrank", r"кривошип", r"\brpm\b", r"об/мин", r"\bturns? a minute", r"оборот"),
+    *(
+        r"\bwhole turns?\b",
+        r"\b(one|full) turns?\b",
+        r"\bsense of turning",
+        r"направлени\w+ вращения",
+    ),
 )
-"""What is said of a crank only."""
-NO_STROKE = (r"\bv_r\b", r"\brod runs\b", r"\bшток\w* выдвига", r"length_m")
+"""What is said of cranks only."""
+NO_ANGLES = (r"angle_deg", r"°", r"\bdeg(rees?)?\b", r"градус")
+"""What is measured along a turn only."""
+NO_STROKE = (r"\bv_\{?r", r"\brods? runs?\b", r"\bшток\w* выдвига", r"length_m")
 """What is said of what slides only."""
-NO_ROD = (r"\brod runs\b", r"шток\w* выдвига", r"\bcylinder\b", r"\bцилиндр")
-"""What is said of a rod in its cylinder only."""
-OPEN = (r"equally spaced positions of the crank", r"равноотстоящ\w+ положени\w+ кривошипа")
+NO_ROD = (r"\brods? runs?\b", r"шток\w* выдвига", r"\bcylinder", r"\bцилиндр")
+"""What is said of rods in their cylinders only."""
+OPEN = (r"equally spaced positions of the cranks?", r"равноотстоящ\w+ положени\w+ кривошип")
 """What is said of a whole turn only."""
+DRAWN_AT = re.compile(
+    r"at the angle (\", \")?[−\d.,]+°(\",)? \"? ?to the x axis|под углом (\", \")?[−\d.,]+°(\",)? \"? ?к оси x"
+    r"|(Protractor|Транспортир)[^\"]*°|turned by 90°|[Пп]овёрнут\w* на 90°"
+)
+"""Angles that a line is drawn at, however the mechanism is driven; the plan of velocities that is turned."""
+KEYS = re.compile(r'"crank": \[\]')
+"""What only code reads: that a page has no crank to be dragged."""
+GIVEN = re.compile(
+    "task sheet|sheet (Given|Equations of (vel|acc)|Plan of pos|Исходн|Уравнения [су]|План пол)"
+)
+"""What tells how the mechanism is driven."""
 
 
-def amiss(scene: Scene) -> Iterator[str]:
-    """Yield the patterns of what a scene may not say."""
-    yield from ANY
-    yield from OPEN
+def wrong(scene: Scene, where: str, text: str) -> list[tuple[str, str]]:
+    """Return the patterns of what a scene says there and may not, with what stands around each."""
+    plain_text = DRAWN_AT.sub("", KEYS.sub("", text))
+    return [
+        (pattern, plain_text[max(0, found.start() - 60) : found.end() + 40])
+        for pattern in amiss(scene, where)
+        for found in re.finditer(pattern, plain_text, re.IGNORECASE)
+    ]
+
+
+def amiss(scene: Scene, where: str) -> Iterator[str]:
+    """Yield the patterns of what a scene may not say there, large letters or small."""
+    yield from (*ANY, *SUM_WITH_ITSELF, *OPEN)
     if not scene.turns:
         yield from NO_CRANK
-    if scene.drives == {"crank"}:
+        yield from NO_ANGLES
+    elif scene.drives[0] != "crank":
+        yield NO_ANGLES[0]
+    if set(scene.drives) == {"crank"}:
         yield from NO_STROKE
     if "rod" not in scene.drives:
         yield from NO_ROD
+    yield from (_rate(link) for link, drive in scene.driven if drive == "slider")
+    if not scene.turns and GIVEN.search(where):
+        yield r"[ωΩ]|ε(?!\w)|omega|epsilon"
+
+
+def _rate(link: int) -> str:
+    """A rate of turning of a link, as it is written in words, tables, formulas and on sheets."""
+    low = chr(ord("₀") + link)
+    return rf"(?:[ωε]|omega|epsilon)_?(?:\{{?{link}\b|{low})"
 
 
 NAMED = re.compile(r"<(?:title|desc)[^>]*>([^<]*)<")

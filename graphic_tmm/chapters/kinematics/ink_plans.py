@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
@@ -175,11 +176,13 @@ def draw_equations(
 
 
 def _crank(construction: Construction, plan: str) -> list[str]:
-    """Return what was said before the crank's vector was laid off; of two, that it is their sum."""
+    """Return what was said before a crank's vector was laid off; of two of its pin, that it is their sum."""
     notes = [step.note for step in construction.steps if step.it.view == plan and step.note]
-    told = [note for note in notes if "=" in note]
-    parts = [Term(note.partition(" = ")[0], known=True) for note in told]
-    if len(parts) > 1:
-        whole = Term(parts[0].symbol.partition("^")[0], known=True)
-        told.append(" = ".join([whole.barred, " + ".join(map(str, parts))]))
+    letters = {note: note.partition(" = ")[0] for note in notes if "=" in note}
+    told = list[str]()
+    for whole, own in groupby(letters, key=lambda note: letters[note].partition("^")[0]):
+        told += (of_pin := list(own))
+        if len(of_pin) > 1:
+            parts = (str(Term(letters[note], known=True)) for note in of_pin)
+            told.append(" = ".join([Term(whole, known=True).barred, " + ".join(parts)]))
     return told

@@ -6,13 +6,17 @@ import re
 
 import numpy as np
 import pytest
+from support.boards import drawn_of
 from support.each import each
 from support.gallery import PLANS, in_usual
+from support.words_of_drives import FIVE_BAR, OPEN_CRANK, TURNS
 
+from graphic_tmm import read
 from graphic_tmm.board.record import Construction, Mark, segment_name
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.ink_plans import draw_equations
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.views import acceleration_equations, velocity_equations
 from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
 
 
@@ -178,6 +182,26 @@ def test_the_pin_of_a_crank_that_speeds_up_has_two_components() -> None:
     assert told[2].startswith("a_{A}^{t} = ε_1")
     assert told[3] == r"\bar{a}_{A} = \uu{\bar{a}_{A}^{n}} + \uu{\bar{a}_{A}^{t}}"
     assert lettered("engine", "accelerations", "en")[1].startswith("a_A = ω_1²")
+
+
+@pytest.mark.parametrize(
+    ("gains", "due"),
+    [
+        ("", ["a_A", "a_C"]),
+        ("acceleration = 3\n", ["a_{A}^{n}", "a_{A}^{t}", r"\bar{a}_{A}", "a_C"]),
+    ],
+)
+def test_what_two_cranks_give_to_their_pins_is_no_sum(gains: str, due: list[str]) -> None:
+    further = "[[drive]]\nlink = 4\nspeed = 10\nat = 1\n"
+    first = OPEN_CRANK.replace("[drive]", "[[drive]]") + TURNS + gains
+    work = drawn_of(read(f'title = "T"\nlanguage = "en"\n{FIVE_BAR}{first}{further}'), exact=True)
+    (velocities,), (accelerations,) = (
+        velocity_equations(work, True),
+        acceleration_equations(work, True),
+    )
+    assert [x.text.split(" = ")[0] for x in velocities.labels[1:3]] == ["v_A", "v_C"]
+    heads = [x.text.split(" = ")[0] for x in accelerations.labels[1:]]
+    assert heads[: heads.index("group 2-3 of class II:")] == due
 
 
 def lettered(name: str, plan: str, language: str) -> list[str]:
