@@ -30,8 +30,8 @@ from graphic_tmm.scene.chapter import (
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.tasks import calls_for
 
-CRANK = "crank"
-"""What a chapter says that takes only mechanisms which one crank drives, all round."""
+CRANK, EVEN = "crank", "even"
+"""What a chapter says that takes only mechanisms which one crank drives, all round; whose drive goes evenly."""
 
 
 @dataclass(frozen=True)
@@ -239,8 +239,7 @@ def record(
     )
     try:
         for chapter in bench.call():
-            if chapter.drive == CRANK:
-                _refuse_other_drives(scene, chapter)
+            _refuse_other_drives(scene, chapter)
             bench.enter(chapter.name, Plan.of(chapter).record(bench))
         for chapter in in_order(board):
             if chapter.name in bench.recorded:
@@ -251,31 +250,39 @@ def record(
 
 
 def _refuse_other_drives(scene: Scene, chapter: Chapter) -> None:
-    """Refuse a chapter of machines that one crank drives all round, of another drive."""
+    """Refuse a chapter of a drive that it does not take."""
     mechanism, row, section = scene.mechanism, scene.row, chapter.asking
-    if mechanism is None:
+    if mechanism is None or not chapter.drive:
         return
-    link, reason = mechanism.drive.link, None
-    if mechanism.further:
+    link, reason, crank = mechanism.drive.link, None, chapter.drive == CRANK
+    if mechanism.further and crank:
         reason = said("{n} links are driven", n=len(mechanism.drives))
-    elif mechanism.drive.slides:
+    elif mechanism.drive.slides and crank:
         reason = said("link {link} slides", link=link)
-    elif mechanism.drive.rack:
+    elif mechanism.drive.rack and crank:
         reason = said("a rack turns link {link}", link=link)
     elif mechanism.drive.rates or mechanism.drive.gains:
         reason = said("the speed of link {link} changes", link=link)
     elif mechanism.at_rest:
         reason = said("link {link} stands still", link=link)
-    elif row.ends is not None or row.places:
+    elif row.ends is not None and crank:
         reason = said("the row of link {link} is no whole turn", link=link)
+    elif row.places:
+        reason = said("the places of link {link} are listed", link=link)
     if reason is not None:
         name = section.name if section is not None else chapter.name
+        told = {"reason": reason, "name": name}
         raise StructureError(
             said(
                 "it is drawn of a machine that one crank drives all round; here {reason}: leave [{name}] out, "
                 "or drive a crank",
-                reason=reason,
-                name=name,
+                **told,
+            )
+            if crank
+            else said(
+                "it is drawn of a row of even steps at one speed; here {reason}: leave [{name}] out, or give "
+                "one speed, and from and to",
+                **told,
             ),
             name,
             "drive.link",

@@ -23,6 +23,7 @@ from graphic_tmm.board.operations.graphs import (
     following,
     halve,
     level_off,
+    standing,
     succession,
     touching,
 )
@@ -44,8 +45,12 @@ BASE_AXIS = said(
     "The base of the graph stands for the turn of the crank: time, or angle, from the zero position on."
 )
 UP_AXIS = said("Ordinates are laid off square to the base.")
+ROW_AXIS = said(
+    "The base of the graph stands for the row: time, or angle, from its first position to its last."
+)
 FOOT = said("Each position stands over its own share of the base.")
 END = said("The base ends where the turn does.")
+ROW_END = said("The base ends where the row does, with its last position.")
 ORDINATE_LINE = said("Over its place on the base each position has an ordinate of its own.")
 ORDINATE = said("The ordinate shows, to scale, what was found for this position.")
 REPEATS = said("After a whole turn everything repeats itself: the graph ends as high as it began.")
@@ -76,8 +81,8 @@ MEAN_RAY = said(
     "interval."
 )
 STATION = said(
-    "The base is divided into as many equal parts as the turn; a position outside the row stands between "
-    "its neighbours as the crank pin divides their arc."
+    "The base is divided into as many equal parts as the row has intervals; a position outside the row "
+    "stands between its neighbours as the crank pin divides their arc."
 )
 
 
@@ -85,7 +90,8 @@ class Base(NamedTuple):
     """What graphs one below the other share: the length of the base, its scale, where the positions stand.
 
     ``intervals``: how many; ``x`` the abscissa of every position (Length), ``mu`` the scale along the base,
-    ``zero`` the direction of the base (Angle).
+    ``zero`` the direction of the base (Angle). ``closed``: at its end everything is as at its beginning; else
+    the last position of the row stands there.
     """
 
     intervals: int
@@ -93,6 +99,7 @@ class Base(NamedTuple):
     x: Mark
     mu: Mark
     zero: Mark
+    closed: bool = True
 
 
 class Axes(NamedTuple):
@@ -133,7 +140,9 @@ class Pole(NamedTuple):
     distance: Mark
 
 
-def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) -> Base:
+def lay_base(
+    draft: Draft, length: Mark, mu: Mark, count: int, numbers: object, *, closed: bool = True
+) -> Base:
     """Divide a base into ``count`` even intervals; ``numbers``: of each position, from 0 at its beginning.
 
     Raises
@@ -148,7 +157,7 @@ def lay_base(draft: Draft, length: Mark, mu: Mark, count: int, numbers: object) 
     intervals = draft.take(Number, "N", float(count))
     n = draft.take(Number, "n", numbers, role=roles.STATION)
     x = draft.draw(abscissa, "x_{n}", n, length, intervals, why=STATION)
-    return Base(count, length, x, mu, draft.direction(0.0))
+    return Base(count, length, x, mu, draft.direction(0.0), closed)
 
 
 def draw_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
@@ -164,24 +173,30 @@ def erect_axes(draft: Draft, view: str, base: Base, mu: Mark) -> Axes:
     """Draw axes alone: what stands on them is laid out by another."""
     draft.open(view)
     origin = draft.take(Point, "O", 0j)
-    along = draft.draw(ray, "(Ox)", origin, base.zero, why=BASE_AXIS)
+    axis, ends = (BASE_AXIS, END) if base.closed else (ROW_AXIS, ROW_END)
+    along = draft.draw(ray, "(Ox)", origin, base.zero, why=axis)
     up = draft.draw(square, "(Oy)", origin, along, sense=1, why=UP_AXIS)
     feet = draft.draw(lay_off, "i", along, base.x, why=FOOT)
-    end = draft.draw(lay_off, str(base.intervals), along, base.length, why=END)
+    end = draft.draw(lay_off, str(base.intervals), along, base.length, why=ends)
     after = draft.draw(following, "i+1", feet, end, row=base.intervals)
     middles = draft.draw(halve, "m", feet, after)
     return Axes(base, view, mu, origin, along, up, feet, end, middles, after)
 
 
 def lay_ordinates(draft: Draft, axes: Axes, lengths: Mark, letter: str) -> Boundaries:
-    """Lay off an ordinate for every position; the graph is closed: its end stands as high as its beginning."""
+    """Lay off an ordinate for every position."""
     line = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=ORDINATE_LINE)
     points = draft.draw(lay_off, letter, line, lengths, why=ORDINATE)
     return close(draft, axes, points)
 
 
 def close(draft: Draft, axes: Axes, points: Mark) -> Boundaries:
-    """Carry the height of the first point across to the end of the base."""
+    """Carry the height of the first point across to the end of the base; of an open row the last is there."""
+    if not axes.base.closed:
+        at = axes.base.intervals
+        return Boundaries(
+            points, draft.draw(standing, f"{points.letter}_N", points, place=at, why=ROW_END)
+        )
     first = draft.draw(at_zero, f"{points.letter}_0", points, free=True)
     level = draft.draw(parallel, f"({first.letter}x)", first, axes.along, sense=1, why=REPEATS)
     last = draft.draw(square, f"({axes.end.letter})", axes.end, axes.along, sense=1, why=REPEATS)
@@ -194,9 +209,12 @@ def measure_ordinates(draft: Draft, axes: Axes, points: Mark, letter: str) -> Ma
 
 
 def through(draft: Draft, axes: Axes, points: Boundaries | Middles, *, closed: bool = True) -> Mark:
-    """Draw the smooth curve through the points of a graph: of what the mechanism does."""
+    """Draw the smooth curve through the points of a graph: of what the mechanism does.
+
+    ``closed``: the curve repeats itself, if its row does.
+    """
     row, letter = axes.base.intervals, _name(points)
-    if closed:
+    if closed and axes.base.closed:
         return draft.draw(closed_graph, letter, points.points, axes.base.length, row=row)
     if isinstance(points, Boundaries):
         return draft.draw(open_graph, letter, points.points, points.end, row=row)

@@ -20,7 +20,13 @@ from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.operations.formulas import mm_of_time, mm_of_turn, pole_distance, to_board
+from graphic_tmm.board.operations.formulas import (
+    mm_of_row,
+    mm_of_time,
+    mm_of_turn,
+    pole_distance,
+    to_board,
+)
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.scales import (
     Scale,
@@ -47,7 +53,7 @@ GRAINS = (10.0, 5.0, 2.0, 1.0, 0.5, 0.1)
 """What is meant for something is told in multiples of these, mm, the coarsest first."""
 SAME = 1e-9
 """A scale factor that is told and one that follows from a length that is told are one within this share."""
-FOLLOWING = (mm_of_time, mm_of_turn, pole_distance)
+FOLLOWING = (mm_of_row, mm_of_time, mm_of_turn, pole_distance)
 """What is calculated of scale factors that are known: bases and pole distances."""
 _NOTHING = said("There is nothing to be drawn to it, so any scale will do.")
 _SHARED = said(

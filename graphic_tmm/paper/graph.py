@@ -256,6 +256,8 @@ def _positions(graph: Graph, names: Names) -> tuple[list[Named], list[Named]]:
     ]
     row = min(graph.row, len(named))
     last = Named(graph.point(end, 0), _closing(names.positions[0], named[:row], graph), (end.slot,))
+    if len(named) > row and named[row].text.isdigit():
+        row += 1  # of a row that does not come back the last stands at the end
     whole = row and abs(named[row - 1].at - last.at) < TICK
     return named[:row], named[row:] if whole else [last, *named[row:]]
 

@@ -108,8 +108,8 @@ class Chapter:
     which therefore record before it. ``places``: what sheets can show of it. ``sections``: what scenes may
     write for it; the first that does not only give something asks for the chapter. ``always``: it is recorded
     for every mechanism, whatever sheets show. ``drive``: "crank" where it takes only mechanisms that one crank
-    drives, all round. ``answers``: to readers, of a chapter that has no ``folder``:
-    the name of its package, set where it is found.
+    drives, all round, "even" where any that goes evenly will do. ``answers``: to readers, of a
+    chapter that has no ``folder``: the name of its package, set where it is found.
     """
 
     name: str

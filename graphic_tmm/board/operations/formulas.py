@@ -203,6 +203,21 @@ def time_per_mm(omega: Number, base: Length) -> Number:
     """2π/({omega}·{base})"""
 
 
+@formula(why=said("The drive goes evenly: from the first position to the last it takes this time."))
+def time_of_row(way: Number, speed: Number) -> Number:
+    """{way}/{speed}"""
+
+
+@formula(why=said("The base stands for the whole row, from its first position to its last."))
+def row_per_mm(whole: Number, base: Length) -> Number:
+    """{whole}/{base}"""
+
+
+@formula(why=said("The base stands for the whole row; to this scale it is so long."))
+def mm_of_row(whole: Number, mu: Number) -> Length:
+    """{whole}/{mu}"""
+
+
 @formula(why=said("The base stands for a whole turn, 2π rad, to this scale."))
 def mm_of_turn(mu: Number) -> Length:
     """2π/{mu}"""

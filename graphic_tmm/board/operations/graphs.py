@@ -30,6 +30,14 @@ def at_zero(of: Point) -> Point:
 
 
 @operation(
+    symbol=FREE, across=True, why=said("Its place between two positions of the row is sought.")
+)
+def standing(of: Point, *, place: int) -> Point:
+    """Mark {it}, where {of} stands in that position."""
+    return Point(of[:, place : place + 1])
+
+
+@operation(
     kept=True,
     across=True,
     everywhere=True,

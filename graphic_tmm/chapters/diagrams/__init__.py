@@ -18,6 +18,9 @@ follows from it (H = μ_S/(μ_V·μ_t)).
   or by the ordinate at the middle), and rays from the pole give the segments of the integral, one after
   another.
 
+A row that does not come back to where it began (a stroke, a lever that turns in part) has an interval less
+than positions, and the last of them stands at the end of the base.
+
 Both kinds of mistakes of the method, that of chords on few intervals and that of the ruler enlarged by the
 pole, are measured in `graphic_tmm/accuracy`. Over the angle of the crank μ_φ stands for μ_t, and ω is left
 to the reader.
@@ -39,7 +42,7 @@ from graphic_tmm.scene.chapter import Chapter, Place
 CHAPTER = Chapter(
     name=DIAGRAMS,
     number=3,
-    drive="crank",
+    drive="even",
     builds_on=(KINEMATICS,),
     places=(Place(DIAGRAMS, 30, beside=(ACCELERATIONS,)),),
     sections=SECTIONS,

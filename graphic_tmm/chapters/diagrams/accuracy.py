@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.accuracy.quantities import Accuracy, Axis, Quantity, Value
 from graphic_tmm.board.charts import STANDARD, ScaleOrder, distances
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN, whole
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE, DIAGRAMS, VIEWS, KinematicTask, settled
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
@@ -93,16 +93,16 @@ def _farther(project: Project, times: float) -> dict[Mark, object]:
     return found
 
 
-def _drawn_order(scene: Scene) -> KinematicTask | None:
+def _drawn_order(scene: Scene, drawn: Drawn) -> KinematicTask | None:
     """Return what a scene asks for, with the scale factors that it comes to where standard ones are wanted."""
     order = ASKED.of(scene)
-    if order is None or scene.mechanism is None:
+    if order is None:
         return order
-    return replace(settled(order, scene.mechanism.drive.speed), standard=False)
+    return replace(settled(order, whole(order, KINEMATICS_PLAN.on(drawn))), standard=False)
 
 
 def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
-    order = _drawn_order(scene)
+    order = _drawn_order(scene, drawn)
     if order is None:
         return scene
 

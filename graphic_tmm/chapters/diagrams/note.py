@@ -36,7 +36,7 @@ ANGLE = said("Along the base the angle of the crank is laid off: one turn is 2π
 BY_SCALE = said("To the scale factor chosen ({table}) one turn is as long as")
 BY_LENGTH = said("The length of the base is taken, so its scale factor is")
 DIVIDED = said(
-    "The base is divided into {count} equal parts, as many as the turn has positions; through their bounds "
+    "The base is divided into {count} equal parts, as many as the row has intervals; through their bounds "
     "lines are drawn parallel to the axis of ordinates. A part is as long as"
 )
 FROM_VELOCITIES = said(
@@ -53,6 +53,21 @@ SMOOTH = said(
     "The points are joined by a smooth curve. After the turn everything repeats itself, so the curve ends as "
     "high as it began."
 )
+OF_ROW: Mapping[str, str] = {
+    OF: said(
+        "The diagrams of point {point} go from the first position of the row to its last. {given} is taken "
+        "from the plans, the other diagrams are found from it graphically."
+    ),
+    TIME: said(
+        "Along the base time is laid off. The drive goes evenly; from the first position to the last it takes"
+    ),
+    ANGLE: said(
+        "Along the base the angle of the crank is laid off, from the first position to the last."
+    ),
+    BY_SCALE: said("To the scale factor chosen ({table}) the row is as long as"),
+    SMOOTH: said("The points are joined by a smooth curve."),
+}
+"""What is said of a row that does not come back to where it began."""
 DERIVATIVE = said("As {derivative}, the diagram of {given} is differentiated.")
 POLE = said(
     "The pole distance may be any; it is chosen so that the diagram is clear. It is tied to the scale factors:"
@@ -155,7 +170,9 @@ class DiagramPage(Page[Kinematic]):
     def blocks(self) -> Iterator[Block]:
         """Yield what is told: the base, diagram by diagram, the results."""
         charts, first = self.recorded.charts, self.recorded.first
-        yield self.says(OF, point=self.recorded.order.point, given=self._quantity(charts[first]))
+        yield self.says(
+            self._said(OF), point=self.recorded.order.point, given=self._quantity(charts[first])
+        )
         yield from self.leads(self.figures(*self.pictures), *self._diagrams())
         yield from self._places()
         yield from self._results()
@@ -175,11 +192,11 @@ class DiagramPage(Page[Kinematic]):
     def _base(self) -> Iterator[Block]:
         yield self.head(BASE)
         base, over_time = self.recorded.base, self.recorded.order.over == "time"
-        yield self.says(TIME if over_time else ANGLE)
+        yield self.says(self._said(TIME if over_time else ANGLE))
         if over_time:
             yield from self.worked_out(self.side_calculation.time)
         by_scale = self.drawn.construction.step(base.length) is not None
-        yield self.says(BY_SCALE if by_scale else BY_LENGTH, table=Ref("table-scales"))
+        yield self.says(self._said(BY_SCALE) if by_scale else BY_LENGTH, table=Ref("table-scales"))
         yield from self.worked_out(base.length if by_scale else base.mu)
         yield self.says(DIVIDED, count=base.intervals)
         yield from self.worked_out(self.side_calculation.interval)
@@ -190,7 +207,7 @@ class DiagramPage(Page[Kinematic]):
         mu = self.letter(chart.mu)
         yield self.says(way, quantity=self._quantity(chart), mu=mu, value=chart.mu)
         yield from self.worked_out(self.recorded.laid)
-        yield self.says(SMOOTH)
+        yield self.says(self._said(SMOOTH))
 
     def _derived(self, chart: Chart) -> Iterator[Block]:
         yield self._heading(chart)
@@ -221,7 +238,7 @@ class DiagramPage(Page[Kinematic]):
         """Return what the intervals that can be drawn are called, by the position at which they begin."""
         names, count = self.drawn.names, self.recorded.base.intervals
         end = str(int(names[0]) + count) if names[0].isdigit() else names[0]
-        after = [*names[1:count], end]
+        after = [*names[1:count], end if self.recorded.base.closed else names[count]]
         return {k: f"{names[k]}–{after[k]}" for k in range(count) if k not in self.drawn.undrawn}
 
     def _middles(
@@ -291,6 +308,10 @@ class DiagramPage(Page[Kinematic]):
                 yield from map(Paragraph, self.extreme(GREATEST, segment, of=of))
 
     # ------------------------------------------------------------ bricks
+
+    def _said(self, of_turn: str) -> str:
+        """Return a sentence on a turn, or what is said instead of another row."""
+        return of_turn if self.recorded.base.closed else OF_ROW[of_turn]
 
     def _list(self, steps: Sequence[str], source: Chart, chart: Chart) -> Block:
         """Return how a diagram is drawn, step by step; of a second one that it is drawn alike."""

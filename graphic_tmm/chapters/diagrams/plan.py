@@ -6,19 +6,21 @@ base; the others follow by differentiation or integration against a pole.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
-
-import numpy as np
 
 from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import Chart, Scaled, ScaleOrder, derived_scale, integrated_scale
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Axes, Base, Boundaries, Middles
 from graphic_tmm.board.operations.formulas import (
+    mm_of_row,
     mm_of_time,
     mm_of_turn,
     rescaled,
+    row_per_mm,
+    time_of_row,
     time_per_mm,
     turn_per_mm,
 )
@@ -30,7 +32,7 @@ from graphic_tmm.chapters.diagrams import words as why
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE, DIAGRAMS, VIEWS, KinematicTask, settled
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions, sliding_points
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -49,7 +51,8 @@ class Kinematic:
 
     ``planned``: for V and a, the reading of the plan along the guide with its sign (Length), by quantity.
     ``laid``: the length laid off in the diagram that is taken from the plans (Length); ``poles``: the distance
-    of the pole by which each other one was found (Length). ``middles``: of each diagram found by chords, its
+    of the pole by which each other one was found (Length). ``whole``: of a row that does not come back, the
+    time or the angle that the base stands for (Number). ``middles``: of each diagram found by chords, its
     axes and the points over the middles of the intervals.
     """
 
@@ -60,6 +63,7 @@ class Kinematic:
     laid: Mark
     poles: dict[str, Mark]
     middles: dict[str, tuple[Axes, Middles]]
+    whole: Mark | None = None
 
     @property
     def first(self) -> str:
@@ -108,8 +112,14 @@ def record(bench: Bench) -> Kinematic | None:
     assert velocities is not None
     leg = sliding_leg(positions, order.point, plans.mechanism.frame.number, ASKED.section)
     _refuse_poles(order)
-    order = settled(order, plans.mechanism.drive.speed)
-    base = _base(draft, velocities, order, plans.numbers, plans.count)
+    if order.over == "angle" and not plans.tried.sweep.turns:
+        raise StructureError(
+            said('the drive slides, there is no angle to draw over; write over = "time"'),
+            "diagrams.over",
+            head="diagrams",
+        )
+    order = settled(order, whole(order, plans))
+    base, of_row = _base(draft, plans, order)
     planned = {"V": velocities.readings[leg.link]}
     if accelerations is not None and leg.link in accelerations.readings:
         planned["a"] = accelerations.readings[leg.link]
@@ -129,7 +139,12 @@ def record(bench: Bench) -> Kinematic | None:
         for one in found.derived
         if one.middles is not None
     }
-    return Kinematic(order, base, found.charts, alike, found.laid, poles, middles)
+    return Kinematic(order, base, found.charts, alike, found.laid, poles, middles, of_row)
+
+
+def whole(order: KinematicTask, plans: KinematicPlans) -> float:
+    """Return what the base stands for: a time, or an angle (SI)."""
+    return plans.way / (abs(plans.mechanism.drive.speed) if order.over == "time" else 1.0)
 
 
 def sliding_leg(
@@ -172,16 +187,17 @@ def _refuse_poles(order: KinematicTask) -> None:
             )
 
 
-def _base(
-    draft: Draft, velocities: Motion, order: KinematicTask, numbers: np.ndarray, count: int
-) -> Base:
-    """Take the base, its scale over time or angle."""
+def _base(draft: Draft, plans: KinematicPlans, order: KinematicTask) -> tuple[Base, Mark | None]:
+    """Take the base, its scale over time or angle; and what it stands for, of a row that does not come back."""
     first = "V" if order.start == "velocity" else "S"
     draft.open(VIEWS[first])
-    omega = velocities.speed
-    assert omega is not None
-    over_time = order.over == "time"
+    over_time, numbers = order.over == "time", plans.numbers[None, :]
     letter, unit = ("μ_t", "s/mm") if over_time else ("μ_φ", "rad/mm")
+    if not plans.closed:
+        return _base_of_row(draft, plans, order, letter, unit)
+    assert plans.velocities is not None
+    omega = plans.velocities.speed
+    assert omega is not None
     if order.mu_along is not None:
         mu = draft.take(Number, letter, order.mu_along, unit)
         length = (
@@ -193,7 +209,35 @@ def _base(
             mu = draft.draw(time_per_mm, letter, omega, length, unit=unit)
         else:
             mu = draft.draw(turn_per_mm, letter, length, unit=unit)
-    return graphs.lay_base(draft, length, mu, count, numbers[None, :])
+    return graphs.lay_base(draft, length, mu, plans.count, numbers), None
+
+
+def _base_of_row(
+    draft: Draft, plans: KinematicPlans, order: KinematicTask, letter: str, unit: str
+) -> tuple[Base, Mark]:
+    """Take the base of a row that does not come back, from its first position to its last."""
+    there = way_and_speed(draft.constant, plans)
+    row = draft.draw(time_of_row, "t", *there, unit="s") if order.over == "time" else there[0]
+    if order.mu_along is not None:
+        mu = draft.take(Number, letter, order.mu_along, unit)
+        length = draft.draw(mm_of_row, "L", row, mu)
+    else:
+        length = draft.take(Length, "L", order.base or BASE, "mm", roles.BASE)
+        mu = draft.draw(row_per_mm, letter, row, length, unit=unit)
+    numbers = plans.numbers[None, :]
+    return graphs.lay_base(draft, length, mu, plans.count - 1, numbers, closed=False), row
+
+
+def way_and_speed(
+    take: Callable[[str, float, str], Mark], plans: KinematicPlans
+) -> tuple[Mark, Mark]:
+    """Take how far the drive goes over the row, and how fast."""
+    pair = plans.pairs[0]
+    letter, unit = pair.sweep.letter, "rad" if pair.sweep.turns else "m"
+    return (
+        take(f"Δ{letter}", plans.way, unit),
+        take(pair.speed_letter, abs(pair.speed), "1/s" if pair.sweep.turns else "m/s"),
+    )
 
 
 def _from_displacement(
@@ -269,8 +313,10 @@ def _integral(draft: Draft, source: Axes, curve: Mark, order: KinematicTask) -> 
     found = graphs.through(draft, axes, points, closed=False)
     at = graphs.on_curve(draft, axes, found, "s")
     chart = _chart(draft, "S", axes, at, scaled.chosen, order)
-    end = draft.draw(measure_along, "S_N", axes.end, points.end, axes.up, why=why.END_OF_INTEGRAL)
-    return _Derived(chart._replace(end=end), scaled.distance, axes, at, found)
+    if axes.base.closed:
+        end = (axes.end, points.end, axes.up)
+        chart = chart._replace(end=draft.draw(measure_along, "S_N", *end, why=why.END_OF_INTEGRAL))
+    return _Derived(chart, scaled.distance, axes, at, found)
 
 
 def _chart(

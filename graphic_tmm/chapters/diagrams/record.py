@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import FREE, operation
 from graphic_tmm.board.operations.formulas import in_si
+from graphic_tmm.board.operations.graphs import standing
 from graphic_tmm.board.operations.instruments import measure, measure_along
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Length, Number, Point
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.diagrams import words as why
 from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN, Kinematic, record
 from graphic_tmm.chapters.diagrams.task import CALCULATED, DIAGRAMS
@@ -26,20 +26,12 @@ WHOLE = 1e-9
 """An extra position that is nearer to one of the row, in intervals, stands on its boundary."""
 
 
-@operation(
-    symbol=FREE, across=True, why=said("Its place between two positions of the row is sought.")
-)
-def standing(of: Point, *, place: int) -> Point:
-    """Mark {it}, where {of} stands in that position."""
-    return Point(of[:, place : place + 1])
-
-
 @formula(why=said("The crank turns evenly: a turn of 2π rad takes the time 2π/ω."))
 def time_of_turn(omega: Number) -> Number:
     """2π/{omega}"""
 
 
-@formula(why=said("The base is divided into as many equal parts as the turn."))
+@formula(why=said("The base is divided into as many equal parts as the row has intervals."))
 def interval_of(base: Length, intervals: Number) -> Length:
     """{base}/{intervals}"""
 
@@ -72,10 +64,10 @@ class Middle(NamedTuple):
 
 
 class Aside(NamedTuple):
-    """``time``: of a turn (s), ``interval``: its share of the base (Length).
+    """``time``: of a turn (s), of another row what its base stands for.
 
-    ``middles``: by the symbol of a diagram found by chords; ``places``: of the extra positions that stand
-    between two of the row.
+    ``interval``: its share of the base (Length). ``middles``: by the symbol of a diagram found by chords;
+    ``places``: of the extra positions that stand between two of the row.
     """
 
     time: Mark
@@ -93,8 +85,8 @@ def record_beside(bench: Bench) -> Aside:
     assert plans.velocities is not None
     assert plans.velocities.speed is not None
     draft.open(CALCULATED)
-    time = draft.draw(time_of_turn, "t", plans.velocities.speed, unit="s")
-    intervals = draft.take(Number, "N", float(plans.count))
+    time = made.whole or draft.draw(time_of_turn, "t", plans.velocities.speed, unit="s")
+    intervals = draft.take(Number, "N", float(made.base.intervals))
     interval = draft.draw(interval_of, "L_1", made.base.length, intervals)
     middles = {symbol: _middle(bench, made, symbol) for symbol in made.middles}
     return Aside(time, interval, middles, tuple(_places(bench, plans, interval)))

@@ -6,12 +6,18 @@ from collections.abc import Container
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.formulas import time_per_mm, turn_per_mm
+from graphic_tmm.board.operations.formulas import (
+    row_per_mm,
+    time_of_row,
+    time_per_mm,
+    turn_per_mm,
+)
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, nearest_standard
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN
+from graphic_tmm.chapters.diagrams.plan import DIAGRAMS_PLAN, way_and_speed
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE_VIEW, DIAGRAMS, VIEWS, chain, wanted_base
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger, value_of
 from graphic_tmm.fitting.scales import ScaleFactors, scale_of
@@ -48,7 +54,13 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     if length is not None:
         ledger.of(along.view)
         wanted = ledger.draft.take(Length, "[L]", length)
-        if order.over == "time":
+        plans = KINEMATICS_PLAN.on(drawn)
+        if not plans.closed:
+            row, *speed = way_and_speed(ledger.quantity, plans)
+            if order.over == "time":
+                row = ledger.calculated(time_of_row, "t", row, *speed, unit="s")
+            exact = ledger.draft.draw(row_per_mm, f"{along.name}′", row, wanted, unit=along.unit)
+        elif order.over == "time":
             assert drawn.scene.mechanism is not None
             drive = drawn.scene.mechanism.drive
             uses = (ledger.speed(str(drive.link), drive.speed), wanted)

@@ -5,7 +5,6 @@ Standard scale factors stand in place of those that a base and pole distances le
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -199,8 +198,8 @@ def wanted_base(order: KinematicTask) -> float | None:
     return None if order.mu_along is not None else order.base or BASE
 
 
-def settled(order: KinematicTask, speed: float) -> KinematicTask:
-    """Return the order with standard scale factors, if it wants them; ``speed``: of the crank, 1/s.
+def settled(order: KinematicTask, whole: float) -> KinematicTask:
+    """Return the order with standard scale factors, if it wants them; ``whole``: the base stands for it (SI).
 
     Raises
     ------
@@ -211,8 +210,7 @@ def settled(order: KinematicTask, speed: float) -> KinematicTask:
         return order
     length = wanted_base(order)
     if length is not None:
-        turn = 2.0 * math.pi / (abs(speed) if order.over == "time" else 1.0)
-        order = replace(order, base=None, mu_along=nearest(turn / length))
+        order = replace(order, base=None, mu_along=nearest(whole / length))
     for one in chain(order):
         source: ScaleOrder = getattr(order, one.source)
         drawn: ScaleOrder = getattr(order, one.symbol)

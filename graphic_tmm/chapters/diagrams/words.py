@@ -34,7 +34,7 @@ def called(view: str, speech: Speech, point: str) -> str:
 
 
 SYMBOLS = (
-    ("L", said("length of the base, one turn"), "mm"),
+    ("L", said("length of the base"), "mm"),
     ("H", said("pole distance"), "mm"),
     ("μ_t", said("scale factor of time"), "s/mm"),
     ("μ_S", said("scale factor of displacements"), "m/mm"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
@@ -52,7 +53,7 @@ class KinematicPlans:
     ``numbers``: where each position stands in the row, in intervals of it; ``count`` of the positions make the
     row, over so many ``turns``; ``rows``: what tables are asked to tell besides; ``closed``: whether the
     row comes back to where it began, ``ends``: where one that does not begins and ends,
-    ``steps``: how far each of its positions is from the first.
+    ``steps``: how far each of its positions is from the first (° or m).
     """
 
     mechanism: Mechanism
@@ -104,6 +105,14 @@ class KinematicPlans:
     def sense(self) -> int:
         """Which way the drive goes: 1 counter-clockwise or outwards, −1 the other."""
         return self.mechanism.drive.sense
+
+    @property
+    def way(self) -> float:
+        """How far the drive goes over the row, a whole turn of one that comes back (rad or m)."""
+        if self.steps is None:
+            return math.tau
+        way = float(self.steps[self.count - 1])
+        return math.radians(way) if self.tried.sweep.turns else way
 
     @cached_property
     def reaches(self) -> Mapping[Figure, Reach]:
@@ -205,7 +214,7 @@ def record(bench: Bench) -> KinematicPlans:
         further,
         closes,
         None if row.ends is None and not row.places else (float(values.min()), float(values.max())),
-        None if row.ends is None and not row.places else np.abs(values[0] - values[0, 0]),
+        None if closes else np.abs(values[0] - values[0, 0]),
     )
     draft.given |= standing(made, values, carried=True)
     later = frozenset(made.repeated)

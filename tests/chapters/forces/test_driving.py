@@ -130,5 +130,7 @@ def test_a_chapter_of_a_turning_crank_refuses_another_drive_in_one_sentence() ->
     with pytest.raises(
         TmmError, match="one crank drives all round; here link 3 slides: leave"
     ) as refused:
-        graphic_tmm.draw(scene(BOOM, OUT + '[diagrams]\npoint = "C"\n')).table("velocities")
+        graphic_tmm.draw(scene(BOOM, OUT + TORQUE + "[flywheel]\ndelta = 0.05\n")).table(
+            "velocities"
+        )
     assert "\n" not in str(refused.value)

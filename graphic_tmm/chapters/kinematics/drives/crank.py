@@ -113,9 +113,14 @@ class Crank(DrivenPair):
         plan.images.complete(body)
         plan.rates[number] = omega if sense > 0 else self.turning_back(draft)
 
+    @property
+    def speed_letter(self) -> str:
+        """The letter of its speed."""
+        return f"ω_{self.link}"
+
     def turning(self, draft: Draft) -> Mark:
         """Take how fast it turns, without its sign."""
-        return self.take(draft, f"ω_{self.link}", self.rates(signed=False), "1/s")
+        return self.take(draft, self.speed_letter, self.rates(signed=False), "1/s")
 
     def turning_back(self, draft: Draft) -> Mark:
         """Take how fast it turns clockwise, with its sign."""

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from support.boards import drawn_of
 from support.command import invoke
-from support.drives import BOOM, LEVER, RACK, SLIDER, rated
+from support.drives import BOOM, LEVER, LOADS, RACK, SLIDER, rated
 from support.each import each
 from support.scenes import written
 from support.words_of_drives import FIVE_BAR
@@ -96,8 +96,9 @@ def test_a_rack_is_no_crank_all_round() -> None:
     crank = SLIDER.split("[[link]]\nnumber = 1")[0] + CRANK + drive
     ways = drawn_of(tmm.read(crank)).project.coordinates
     np.testing.assert_allclose(ways, 0.04 * np.pi * np.arange(5) / 4)
+    loaded = LOADS.format(link=1, point="A")
     with pytest.raises(TmmError, match="a rack turns link 1"):
-        drawn_of(tmm.read(f'{crank}[diagrams]\npoint = "B"\n'))
+        drawn_of(tmm.read(f"{crank}{loaded}[flywheel]\ndelta = 0.05\n"))
 
 
 CRANK = """[[link]]
