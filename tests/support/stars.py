@@ -67,7 +67,7 @@ class Star:
         """Return its scene; pistons of 1 kg are B, C, D, E on links 3, 5, 7, 9, guides x, y, z, w."""
         pins = self.cranks or (0.0,) * len(self.angles)
         own = ["A", *"KMN"[: len(pins) - 1]]
-        letters = [own[0] if not ahead else own[k] for k, ahead in enumerate(pins)]
+        letters = [own[pins.index(ahead)] for ahead in pins]
         every = [*self.angles, *([self.master[3]] if self.master else [])]
         frame = ""
         for guide, angle, off in zip("xyzw", every, [*self.offsets, *[0.0] * 4], strict=False):

@@ -11,6 +11,7 @@ from graphic_tmm.chapters.forces.loads import Ends
 from graphic_tmm.chapters.forces.springs import constants, ends_of, numbers
 from graphic_tmm.chapters.forces.task import ASKED, Spring, Unknown
 from graphic_tmm.chapters.forces.tool import letter_of
+from graphic_tmm.chapters.indicator.given import given_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
@@ -32,6 +33,8 @@ def given(scene: Scene) -> Iterator[Given]:
             yield Given(letter, sizes[0], unit)
     for index, spring in zip(numbers(order.springs), order.springs, strict=True):
         yield from _given_of(spring, index)
+    if order.gas is not None:
+        yield from given_of(order.gas)
     if order.friction is not None:
         yield from _by_pair("f", order.friction.f, "")
         radii = {name: radius for name, radius in order.friction.radius.items() if radius}

@@ -264,7 +264,7 @@ def _held(writer: Writer, solved: Solved, total: Mark) -> tuple[Mark, Mark] | No
     for reaction in solved.reactions:
         if reaction.place is not None and math.isfinite(writer.value(reaction.place[0])):
             couple, pushes, _ = writer.seen.by_mark[reaction.place[0]].uses
-            if couple == total:
+            if couple == total and writer.value(pushes):  # else 0/0
                 return pushes, reaction.place[0]
     return None
 

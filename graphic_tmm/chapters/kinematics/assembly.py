@@ -81,8 +81,10 @@ def closures(survey: Survey) -> tuple[Closure, ...]:
     return tuple(found)
 
 
-def check_assembly(survey: Survey) -> Assembly:
+def check_assembly(survey: Survey, ends: tuple[float, float] | None = None) -> Assembly:
     """Return over which ranges of the crank the mechanism assembles.
+
+    ``ends``: of an open row, degrees or m; of change points outside it a side need not say anything.
 
     Raises
     ------
@@ -114,7 +116,7 @@ def check_assembly(survey: Survey) -> Assembly:
         if partly:
             names.append(group.name)
         if group.kind < 4:
-            _refuse_sides(survey, group, _apart(touched))
+            _refuse_sides(survey, group, _apart(touched), ends)
     ranges = _ranges(survey, critical) if names else []
     return Assembly(tuple(ranges), tuple(names), survey.sweep)
 
@@ -201,7 +203,9 @@ def _lengths(closure: Closure) -> str:
     )
 
 
-def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
+def _refuse_sides(
+    survey: Survey, group: Group, touched: list[float], ends: tuple[float, float] | None
+) -> None:
     """Refuse a side that does not say what it does at the change points, or says it of other angles."""
     side = side_record(survey.mechanism, group)
     assert side is not None
@@ -219,7 +223,7 @@ def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
     keys = [
         f"link {number}, {key}" for number in group.links for key in ("flips_at", "side", "slides")
     ]
-    if side.flips_at is None and touched:
+    if side.flips_at is None and any(_passed(angle, ends) for angle in touched):
         raise StructureError(
             said(
                 "group {group}: its side cannot hold through the change point at crank angle {angles}, where "
@@ -264,6 +268,11 @@ def _refuse_sides(survey: Survey, group: Group, touched: list[float]) -> None:
             ),
             *keys,
         )
+
+
+def _passed(angle: float, ends: tuple[float, float] | None) -> bool:
+    """Whether a row between two crank angles comes to a third; one without ends comes to all."""
+    return ends is None or (angle - min(ends) + NEAR) % 360.0 <= max(ends) - min(ends) + 2 * NEAR
 
 
 def _between(one: float, other: float) -> float:

@@ -158,7 +158,7 @@ def record(bench: Bench) -> KinematicPlans:
             "indicator.strokes",
             head="positions",
         )
-    assembly = check_assembly(tried)
+    assembly = check_assembly(tried, None if row.extra else row.ends)
     check_fit(tried)
     frame = draw_frame(draft, mechanism, structure)
     row = _filled(row, assembly)

@@ -48,6 +48,8 @@ STARS = {
     "opposed": Star((180.0, 0.0), cranks=(0.0, 180.0)),
     "w": Star((150.0, 90.0, 30.0)),
     "three in line": Star((90.0, 90.0, 90.0), cranks=(0.0, 120.0, 240.0)),
+    "four in line": Star((90.0,) * 4, cranks=(0.0, 180.0, 180.0, 0.0)),
+    "radial": Star((90.0, 210.0, 330.0)),
     "offset": Star((90.0, 0.0), offsets=(0.01, -0.012)),
     "master rod": Star((90.0,), master=(0.045, 0.02, 0.15, 20.0)),
 }
@@ -141,8 +143,8 @@ def test_every_piston_has_the_pressures_of_its_own_travel(
     np.testing.assert_allclose(whole, sum(wanted), rtol=1e-6, atol=1e-6)
 
 
-@each("name", ["in-line twin, 360", "v", "opposed", "three in line"])
-@each("phases", [(0, 0, 0), (0, 360, 0), (360, 0, 360)])
+@each("name", ["in-line twin, 360", "v", "opposed", "three in line", "four in line", "radial"])
+@each("phases", [(0, 0, 0, 0), (0, 360, 0, 360), (360, 0, 360, 0)])
 def test_four_strokes_fire_by_their_phases(
     name: str, phases: tuple[int, ...], tmp_path: Path
 ) -> None:

@@ -6,6 +6,7 @@ import cmath
 import math
 import re
 from collections.abc import Iterable
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -13,6 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.assemblies import assembly, message, ranges
 from support.chains import chain
+from support.each import each
 from support.examples import most
 from support.linkages import coulisse, four_bar, slider_crank
 
@@ -193,6 +195,20 @@ def test_a_change_point_is_named_with_its_angle(
 ) -> None:
     text = message(mechanism)
     assert "flips_at = [" + ", ".join(f'"{angle} deg"' for angle in angles) + "]" in text
+
+
+@each(
+    "ends, comes",
+    [((15.0, 85.0), False), ((85.0, 15.0), False), ((60.0, 100.0), True), ((100.0, 60.0), True),
+     ((95.0, 265.0), False), ((300.0, 440.0), False), ((300.0, 460.0), True), ((-85.0, 85.0), False)],
+)  # fmt: skip
+def test_an_open_row_asks_of_the_change_points_that_it_comes_to(
+    ends: tuple[float, float], comes: bool
+) -> None:
+    mechanism = slider_crank(0.1, 0.1)
+    found = survey(mechanism, dissect(mechanism))
+    with pytest.raises(StructureError, match="90°, 270°") if comes else nullcontext():
+        check_assembly(found, ends)
 
 
 def test_a_change_point_between_the_angles_tried_is_named() -> None:
