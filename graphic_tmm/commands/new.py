@@ -104,6 +104,30 @@ BEGINNINGS = (
         said("Two-stage compressor"),
     ),
     Beginning(
+        "tipper",
+        "tipper",
+        said("a cylinder lifts a loaded body: plans over its stroke, the force of its rod"),
+        said("Tipper"),
+    ),
+    Beginning(
+        "excavator",
+        "excavator",
+        said("boom and arm, a cylinder each: two drives, the forces of both rods"),
+        said("Excavator: boom and arm"),
+    ),
+    Beginning(
+        "gripper",
+        "gripper",
+        said("a slider closes two fingers by links: the force along its guide"),
+        said("Gripper"),
+    ),
+    Beginning(
+        "clamp",
+        "hand-clamp",
+        said("a toggle clamp at rest: the force on the work is sought, mechanical advantage"),
+        said("Hand clamp"),
+    ),
+    Beginning(
         "moments",
         "moment-cycle",
         said("moments given over a cycle of turns, without a mechanism: flywheel"),
@@ -162,6 +186,14 @@ LINKS = (
     said("cylinder", context="link"),
     said("rack", context="link"),
     said("knife", context="link"),
+    said("body", context="link"),
+    said("boom", context="link"),
+    said("arm", context="link"),
+    said("rod", context="link"),
+    said("finger", context="link"),
+    said("handle", context="link"),
+    said("link", context="link"),
+    said("clamp arm", context="link"),
 )
 """What the links of these mechanisms are called."""
 

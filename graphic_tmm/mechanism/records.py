@@ -189,6 +189,11 @@ class Mechanism:
         return not any(drive.speed for drive in self.drives)
 
     @property
+    def moves(self) -> bool:
+        """Whether a drive has a speed or an acceleration; else nothing has either."""
+        return not self.at_rest or any(drive.acceleration for drive in self.drives)
+
+    @property
     def drives(self) -> tuple[Drive, ...]:
         """The drives; the positions are those of the first."""
         return (self.drive, *self.further)

@@ -300,6 +300,14 @@ def _unplaced(scene: Scene) -> Iterator[str]:
         )
     there_too = {name: one for name, (_, one) in places().items()}
     gained = {name for name, one in there_too.items() if GAINED in (*one.shows, *one.beside)}
+    if scene.mechanism is not None and not scene.mechanism.moves:
+        if scene.row.accelerations:
+            yield said(
+                "drive.{plans}: it stands, and nothing has an acceleration; leave it out, or give the drive an "
+                "acceleration",
+                plans=GAINED,
+            )
+        return
     if scene.row.accelerations and not scene.shown_places & {GAINED, *gained}:
         yield said(
             'drive.{plans}: no sheet shows them (table does); add "{plans}" to the place of a [[sheet]]',

@@ -267,3 +267,21 @@ def test_inertia_from_plans_that_are_not_drawn_says_so(
     lines = [line for line in warned(done) if "plans of accelerations" in line or "планам" in line]
     assert done.exit_code == 0
     assert [f" {hidden} " in line for line in lines] == [True] * bool(hidden)
+
+
+def test_what_stands_asks_for_no_accelerations(tmp_path: Path) -> None:
+    """Nor is it said that a sheet has none; one that wishes them is answered."""
+    for drive, says in (
+        ("", "nothing is there to be shown"),
+        ("speed = 0", ""),
+        ('speed = 0\naccelerations = "all"', "it stands, and nothing has an acceleration"),
+        ("speed = 0\nacceleration = 2", "nothing is there to be shown"),
+    ):
+        head = re.sub("(?m)^speed.*", drive or r"\g<0>", MECHANISM)
+        told = [
+            line
+            for line in unplaced(read(calling(tmp_path, sheet="", head=head)))
+            if "accelerat" in line
+        ]
+        assert len(told) == bool(says)
+        assert not says or says in told[0]

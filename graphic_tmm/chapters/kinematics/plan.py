@@ -185,10 +185,9 @@ def record(bench: Bench) -> KinematicPlans:
     called = bench.wanted | bench.needed.keys()
     if VELOCITIES in called or ACCELERATIONS in called:
         velocities = draw_velocities(draft, mechanism, structure, positions, turned=scene.turned)
-    moves = not mechanism.at_rest or any(drive.acceleration for drive in mechanism.drives)
-    gained = ACCELERATIONS in bench.wanted and moves
+    gained = ACCELERATIONS in bench.wanted and mechanism.moves
     accelerated = chosen(row.accelerations, bench.names, ACCELERATIONS) if gained else ()
-    wanted = accelerated or (ACCELERATIONS in bench.needed and moves)
+    wanted = accelerated or (ACCELERATIONS in bench.needed and mechanism.moves)
     if wanted and velocities is not None:
         accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
         bench.rows[ACCELERATIONS] = accelerated
