@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from support.each import each
-from support.gallery import SHEETS
+from support.gallery import SHEETS, one_crank
 
 from graphic_tmm.classroom.variants.ranges import Good, Range, read_ranges
 from graphic_tmm.classroom.variants.variant import Base, base
@@ -121,8 +121,11 @@ def test_the_ranges_that_come_with_scenes_are_good(name: str) -> None:
     found = read_ranges(SHEETS / name / "ranges.toml", scene)
     assert found.all > 1000
     assert found.good.vector >= 1.0
-    assert found.good.transmission >= 30.0
+    # a cylinder and a toggle have their places near the dead one, where a crank that turns has none
+    assert found.good.transmission >= (30.0 if one_crank(name) else 10.0)
 
 
 def test_scenes_of_a_department_come_with_ranges() -> None:
     assert {"offset-slider", "crank-rocker", "shaper", "crank-press", "toggle-press"} < set(SHIPPED)
+    assert {"tipper", "excavator", "gripper", "hand-clamp", "toggle-clamp"} < set(SHIPPED)
+    assert {"v-engine", "two-stage-compressor"} < set(SHIPPED)
