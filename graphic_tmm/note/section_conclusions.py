@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import code_of, speaking
@@ -84,8 +84,8 @@ SYMBOL, UNIT = said("Symbol"), said("Unit")
 RPM = "rpm"
 """The unit of what is given in turns a minute only: its letter, n, stands for other things too."""
 _STEM = re.compile(r"[^\W\d_]+")
-_WORD = re.compile(r"_\{?[a-z]{2,}")
-"""An index that is a word, which tells one quantity: others stand for any point or link."""
+_LINK = re.compile(r"\^.*|\d")
+"""What tells of which link a quantity is, and of which part: P_{i1}, P_b^{Zh}."""
 
 
 def symbol_list(made: DrawnScene, blocks: Sequence[Block], language: str) -> Iterator[Block]:
@@ -93,15 +93,13 @@ def symbol_list(made: DrawnScene, blocks: Sequence[Block], language: str) -> Ite
     _ = speaking(language)
     whole = Document("", language, tuple(blocks))
     letters = {plain(one.markup) for one in symbols(whole)}
-    stems = {stem for one in letters for stem in _STEM.findall(one)}
     rows: dict[str, tuple[Runs, ...]] = {}
     for drawn in made.boards:
         in_turns = any(row.unit == RPM for row in given_rows(made.scene, drawn.board))
         for chapter in drawn.project.chapters:
             for letter, meaning, of in Named.of(chapter).symbols:
-                called, stem = symbol(letter, language), _STEM.match(letter)
-                there = stem is not None and stem[0] in stems and (of != RPM or in_turns)
-                if there and (not _WORD.search(letter) or plain(called) in letters):
+                called = symbol(letter, language)
+                if (of != RPM or in_turns) and _stands(plain(called), letters):
                     cells = text(_(meaning)), text(unit(of, language) or "—")
                     rows.setdefault(f"{letter} {meaning}", ((Symbol(called),), *cells))
     if rows:
@@ -109,6 +107,20 @@ def symbol_list(made: DrawnScene, blocks: Sequence[Block], language: str) -> Ite
         heads = text(_(SYMBOL)), text(_(MEANING)), text(_(UNIT))
         table = Table("table-symbols", text(_(SYMBOLS)), heads, tuple(rows.values()), "clc")
         yield in_columns(table, language, 2)
+
+
+def _stands(letter: str, letters: Collection[str]) -> bool:
+    """Whether a letter is among others: its index is a quantity's own, or stands for any point or link.
+
+    >>> _stands("l_AB", {"l_OS1"}), _stands("P_i1", {"P_b"}), _stands("P_i1", {"P_i3"})
+    (True, False, True)
+    """
+    stem, _, index = letter.partition("_")
+    if not index or index[0].isdigit():
+        return any(stem in _STEM.findall(one) for one in letters)
+    if index[0].isupper() and stem != "μ":
+        return any(one.startswith(f"{stem}_") and one[len(stem) + 1].isupper() for one in letters)
+    return _LINK.sub("", letter) in {_LINK.sub("", one) for one in letters}
 
 
 LITERATURE = said("Literature")

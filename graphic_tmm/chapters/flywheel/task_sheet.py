@@ -23,6 +23,13 @@ def given(scene: Scene) -> Iterator[Given]:
     yield from given_of(order)
 
 
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Tell which cylinders begin their cycle later."""
+    order = ASKED.of(scene)
+    if order is not None:
+        yield from gas.stated(order.indicator, language)
+
+
 def given_of(order: FlywheelTask) -> Iterator[Given]:
     """Yield it of what is asked of a flywheel."""
     if order.delta is not None:
@@ -92,6 +99,7 @@ def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
 
 TASK_SHEET = TaskSheet(
     given=given,
+    stated=stated,
     listed=listed,
     acting=acting,
     wanted={FLYWHEEL: asks},

@@ -12,6 +12,7 @@ from graphic_tmm.chapters.forces.springs import constants, ends_of, numbers
 from graphic_tmm.chapters.forces.task import ASKED, Spring, Unknown
 from graphic_tmm.chapters.forces.tool import letter_of
 from graphic_tmm.chapters.indicator.given import given_of
+from graphic_tmm.chapters.indicator.given import stated as cylinders
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
@@ -54,6 +55,15 @@ def _given_of(spring: Spring, index: str) -> Iterator[Given]:
             yield Given(letter, value, unit)
 
 
+def _springs(scene: Scene, springs: tuple[Spring, ...], language: str) -> Iterator[str]:
+    """Tell the ends of springs and what their forces are."""
+    for index, spring in zip(numbers(springs), springs, strict=True):
+        ends = _ends(scene, spring)
+        (first, last), name = ends.letters, ends.names[0]
+        words = {"first": first, "last": last, "letter": f"F_{name}", "ends": name}
+        yield speaking(language)(_SPRING, law=_law(spring, index), **words)
+
+
 def _law(spring: Spring, index: str) -> str:
     """Return the force of a spring as plain text: c·(l − l_0) + F_0 + b·dl/dt."""
     rate, free, preload, damping = map(plain, constants(index))
@@ -78,11 +88,9 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
             says = _TURNS if load.point is None else says
             at = load.opposite_at or ""
             yield _(says, letter=told, link=load.link, other=other, point=at)
-    for index, spring in zip(numbers(order.springs), order.springs, strict=True):
-        ends = _ends(scene, spring)
-        (first, last), name = ends.letters, ends.names[0]
-        words = {"first": first, "last": last, "letter": f"F_{name}", "ends": name}
-        yield _(_SPRING, law=_law(spring, index), **words)
+    yield from _springs(scene, order.springs, language)
+    if "flywheel" not in scene.tasks:  # it tells of its cylinders itself
+        yield from cylinders(order.gas, language)
     if order.unknown is not None:
         yield _sought(order.unknown, language)
     if order.gravity and order.inertia:

@@ -12,8 +12,14 @@ from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.note_sums import Kept, applied, sums
 from graphic_tmm.chapters.forces.plan import Forces
-from graphic_tmm.chapters.forces.table import DIFFERENCE
-from graphic_tmm.chapters.forces.views import EXACTLY, force_views, lever_views, vectors_of
+from graphic_tmm.chapters.forces.table import ADVANTAGE, DIFFERENCE, TOOL
+from graphic_tmm.chapters.forces.views import (
+    EXACTLY,
+    force_views,
+    group_shown,
+    lever_views,
+    vectors_of,
+)
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.said import said
@@ -48,6 +54,11 @@ AGREE = said(
 )
 APART = said(
     "In position {position} the lever differs from the force plans by {apart} % (limit {limit} %): beyond it."
+)
+
+
+SOUGHT = said(
+    "In position {position} the force that is sought is {P_tool}, the mechanical advantage {advantage}."
 )
 
 
@@ -86,12 +97,13 @@ class ForcePage(Page[Forces]):
         yield from self.view(LOADS)
         for solved in made.groups:
             rows = group_rows(self.writer, made, solved)
-            yield from self._detached(solved.closing.group.name, solved.polygon, rows)
+            links = "-".join(map(str, group_shown(self.drawn, made, solved).links))
+            yield from self._detached(solved.closing.group.name, links, solved.polygon, rows)
         for driven in made.driven:
             if driven.alone is not None:
                 rows = driver_rows(self.writer, made, driven)
                 name, polygon = str(driven.pair.link), driven.alone.polygon
-                yield from self._detached(name, polygon, rows)
+                yield from self._detached(name, name, polygon, rows)
         yield from self.view(FRICTION)
         yield from self._lever()
         yield from self.tabled()
@@ -100,11 +112,16 @@ class ForcePage(Page[Forces]):
         """Return figures of the position."""
         return self.figures(*(f"{name}-{self.position}" for name in names))
 
-    def _detached(self, name: str, polygon: Polygon, rows: Iterator[object]) -> Iterator[Block]:
-        """Yield what is told of a group or of the driving link: its figure, its moments, its polygon."""
+    def _detached(
+        self, name: str, links: str, polygon: Polygon, rows: Iterator[object]
+    ) -> Iterator[Block]:
+        """Yield what is told of a group or of the driving link: its figure, its moments, its polygon.
+
+        ``links``: those that its figures show, rods in their cylinders too.
+        """
         title = called(f"group {name}", self.speech)
         yield heading(title)
-        shown = side_by_side(self._here(f"group-{name}", f"forces-{name}"))
+        shown = side_by_side(self._here(f"group-{links}", f"forces-{links}"))
         found = section(self.drawn, polygon.view, self.at, self.language)
         scaled = polygon.view in self.drawn.scales and found is not None
         told = (found,) if scaled and found is not None else ()
@@ -130,6 +147,8 @@ class ForcePage(Page[Forces]):
         yield heading(captions(self.language)[LEVER])
         yield from self.leads(self._here(LEVER), *applied(self))
         yield from self._moments(iter(lever_rows(self.writer, self.recorded)))
+        if self.recorded.lever.balance != self.recorded.lever.force:
+            yield from self.worked_out(self.recorded.lever.balance)
         if self.of(LEVER) is not None:
             yield self.says(AGAINST if self.recorded.tool is None else LEAVES)
             yield from self.worked_out(self.recorded.difference)
@@ -148,6 +167,9 @@ class ForcePage(Page[Forces]):
                 apart = self.quantity(segment, k, 2)._replace(unit="")
                 position, limit = self.drawn.names[k], self.ordered("limit")
                 yield self.sentence(words, position=position, apart=apart, limit=limit)
+                if self.recorded.tool is not None:
+                    found = {name: self.quantity(name, k) for name in (TOOL, ADVANTAGE)}
+                    yield self.sentence(SOUGHT, found, position=position)
 
 
 NOTE = Noted(ForcePage)

@@ -67,6 +67,8 @@ SYMBOLS = (
     ("F", said("force on a link"), "N"),
     ("R_{12}", said("force of link 1 on link 2"), "N"),
     ("P_b", said("balancing force"), "N"),
+    ("M_b", said("balancing moment"), "N·m"),
+    ("i_P", said("mechanical advantage"), ""),
     ("h", said("arm"), "mm"),
     ("μ_F", said("scale factor of forces"), "N/mm"),
     ("Δ", said("difference of the two methods"), "%"),

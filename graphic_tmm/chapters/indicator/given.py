@@ -44,6 +44,15 @@ def _of(symbol: str, point: str) -> str:
     return letter_of(stem, index.strip("{}") + point)
 
 
+def stated(order: IndicatorTask | None, language: str) -> Iterator[str]:
+    """Tell of which of several cylinders the cycle begins later."""
+    for one in order.every if order is not None else ():
+        if one.phase:
+            yield speaking(language)(
+                _LATER, point=one.point, angle=given_figure(one.phase, language)
+            )
+
+
 ACROSS = 8
 """So many positions stand beside one another in a table."""
 LONG, OFF = 16.0, 6.0
@@ -95,6 +104,7 @@ def _stretch(one: Stretch, language: str) -> tuple[str, ...]:
     return (way, *spots, law, given_figure(one.pressure, language))
 
 
+_LATER = said("The cycle of cylinder {point} begins {angle}° later than at its first dead centre.")
 _CYLINDER = said("Cylinder {point}")
 _COVER = said("Pressures on the side of the piston away from the crank")
 _SHAFT = said("Pressures on the side of the piston towards the crank")

@@ -9,7 +9,8 @@ from graphic_tmm.board.draft import ROUNDING
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.language.units import small
+from graphic_tmm.language.symbols import plain, symbol
+from graphic_tmm.language.units import small, unit
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.masses import inertia_letter
 from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism
@@ -148,8 +149,12 @@ def _direction(guide: Guide, base: float) -> Given:
 
 
 def stated(scene: Scene, language: str) -> Iterator[str]:
-    """Tell from where positions are counted, and in which of them accelerations are wanted."""
+    """Tell the rate of what stands, from where positions are counted, where accelerations are wanted."""
     _, zero = speaking(language), scene.row.zero
+    if scene.mechanism is not None and scene.at_rest:
+        pair = driven(scene.mechanism, dissect(scene.mechanism))[0]
+        rate = plain(symbol(pair.speed_letter, language))
+        yield _(_STANDS, rate=f"{rate} = 1 {unit('1/s' if pair.sweep.turns else 'm/s', language)}")
     if isinstance(zero, Extreme):
         yield _(_ZERO, extreme=remark(f"{zero.point}: {zero.at}", language))
     if told := wanted_accelerations(scene, language):
@@ -164,6 +169,7 @@ def wanted_accelerations(scene: Scene, language: str) -> str:
     return speaking(language)(_ACCELERATIONS, n=len(wanted), listed=", ".join(wanted))
 
 
+_STANDS = said("The mechanism stands; plans of possible velocities are drawn at {rate}.")
 _ZERO = said("Positions are counted from the {extreme}.")
 _ACCELERATIONS = said(
     "The plan of accelerations is wanted in position {listed}.",

@@ -21,6 +21,8 @@ from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.equations import components, quantity
 from graphic_tmm.readers.protocol import Protocols
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.chapter import Holder
 
 UNITS = {POSITIONS: "m", VELOCITIES: "m/s", ACCELERATIONS: "m/s²"}
 """Of what the segments of a plan stand for."""
@@ -104,4 +106,12 @@ def speed_marks(project: Project) -> list[Mark]:
 TABLE = Tabled(columns=kinematic_columns)
 
 
-PROTOCOL = Protocols(views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)})
+def _title(held: Holder, view: str, language: str) -> str:
+    """Return what the plan of velocities is called where a mechanism stands."""
+    rests = view == VELOCITIES and KINEMATICS_PLAN.on(held).mechanism.at_rest
+    return captions(language)[f"{view} at rest"] if rests else ""
+
+
+PROTOCOL = Protocols(
+    views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)}, titles=_title
+)

@@ -62,7 +62,9 @@ def _rows(asked: Rows, language: str) -> Iterator[str]:
 def velocities(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the plans of velocities."""
     _ = speaking(language)
-    if scene.common_pole:
+    if scene.at_rest:
+        yield _(_POSSIBLE)
+    elif scene.common_pole:
         yield _(_TURNED_COMMON if scene.turned else _COMMON)
     else:
         yield _(_TURNED if scene.turned else _VELOCITIES)
@@ -128,6 +130,7 @@ _ANGLES = said(
     "The positions at the crank's angles {listed} are drawn as well.",
 )
 _PATHS = said("The path of point {listed} is drawn.", "The paths of points {listed} are drawn.")
+_POSSIBLE = said("Plans of possible velocities are drawn for all positions.")
 _VELOCITIES = said("Velocity plans are drawn for all positions.")
 _TURNED = said("Velocity plans, turned by 90°, are drawn for all positions.")
 _COMMON = said("Velocity plans of all positions are drawn from one pole.")

@@ -42,9 +42,9 @@ TELESCOPED = said(
     "A rod and its cylinder are one link of a group, as long as the drive makes it; in the cylinder the rod "
     "moves with one freedom."
 )
-GROUP = said("group {name}: class II, order 2, kind {kind}")
-DRIVEN = said("driving link {name}: class I")
-DRIVEN_ROD = said("rod in its cylinder {name}: class I")
+GROUP = said("Group {name}: class II, order 2, kind {kind}")
+DRIVEN = said("Driving link {name}: class I")
+DRIVEN_ROD = said("Rod in its cylinder {name}: class I")
 ATTACHED = said("The parts are shown in {} in the order of their attachment; the mobility of each:")
 LINKS, PAIRS = said("Links of the mechanism"), said("Kinematic pairs of the mechanism")
 

@@ -1,0 +1,74 @@
+"""The notes of other drives, of what stands, of several cylinders: what a teacher would miss."""
+
+from __future__ import annotations
+
+from note.test_notes_of_engines import told
+from support.each import each
+from support.notes import noted
+
+from graphic_tmm.note.document import Heading, Picture, SideBySide, Table, Text, walk
+
+
+def figures(name: str) -> set[str]:
+    found = [block for block in walk(noted(name).blocks) if isinstance(block, Picture | SideBySide)]
+    parts = [one for block in found for one in getattr(block, "parts", (block,))]
+    return {one.id for one in parts}
+
+
+def legend(name: str) -> str:
+    """The table of symbols as plain text."""
+    (found,) = (
+        block
+        for block in walk(noted(name).blocks)
+        if isinstance(block, Table) and block.id == "table-symbols"
+    )
+    return repr(found.rows)
+
+
+@each("name", ["toggle-clamp", "hand-clamp"])
+def test_what_stands_has_possible_velocities_at_a_rate_that_is_told(name: str) -> None:
+    heads = [block for block in walk(noted(name).blocks) if isinstance(block, Heading)]
+    titles = ["".join(run.text for run in head.runs if isinstance(run, Text)) for head in heads]
+    assert "План возможных скоростей" in titles
+    assert "План скоростей" not in titles
+    assert "планы возможных скоростей строятся при" in told(name)
+
+
+def test_the_force_that_is_sought_is_concluded() -> None:
+    assert "искомая сила равна 364, выигрыш в силе 1,82." in told("hand-clamp").replace(" Н", "")
+
+
+def test_a_moment_on_the_lever_is_worked_out() -> None:
+    assert "M_{ур}^{Ж}===30,78" in told("toggle-clamp")
+
+
+def test_groups_with_rods_have_their_figures() -> None:
+    assert {
+        f"fig-{what}-{links}-1" for what in ("group", "forces") for links in ("4-5-6", "1-2-3")
+    } <= (figures("excavator"))
+
+
+@each("language, words", [("ru", "на 360° позже"), ("en", "360° later")])
+def test_a_cylinder_that_fires_later_is_given(language: str, words: str) -> None:
+    assert words in told("v-engine", language)
+
+
+@each(
+    "name, there, missing",
+    [
+        (
+            "toggle-clamp",
+            ("уравновешивающий момент", "плечо"),
+            ("сила инерции", "момент сил инерции", "ускорени"),
+        ),
+        ("hand-clamp", ("выигрыш в силе",), ("сила инерции", "ускорени")),
+        ("excavator", ("скорость выдвижения штока", "сила инерции", "ускорение точки"), ()),
+        ("gripper", ("ускорение точки",), ("сила инерции", "скорость выдвижения")),
+    ],
+)
+def test_the_list_of_symbols_has_what_stands_in_the_note(
+    name: str, there: tuple[str, ...], missing: tuple[str, ...]
+) -> None:
+    rows = legend(name)
+    assert [word for word in there if word not in rows] == []
+    assert [word for word in missing if word in rows] == []
