@@ -208,7 +208,7 @@ def test_letters_as_in_the_log(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("more", "says"),
     [
-        ('from = 3\ndirection = "against velocity"', "along AC"),
+        ('from = 3\ndirection = "against velocity"', "push each other along a line"),
         ("from = 3", "along AC"),
         ('from = 2\ndirection = "along z"', "bears the load itself"),
         ('from = 7\ndirection = "along z"', "link 7"),
@@ -216,11 +216,30 @@ def test_letters_as_in_the_log(tmp_path: Path) -> None:
         ('from = 3\nfrom_point = "O"\ndirection = "along DO"', "no letter of link 3"),
         ('from = 3\nfrom_point = "C"\ndirection = "along z"', "along DC"),
         ('from = 3\nfrom_point = "C"\ndirection = "20 deg"', "along DC"),
+        ('from = 3\nfrom_point = "C"\ndirection = "along DA"', "along DC"),
+        ('from = 3\nfrom_point = "C"\ndirection = "square to DC"', "along DC"),
+        ('of = "Q"\nout = [[0, 1], [1, 1]]', '"Q" is no moving point'),
     ],
 )
 def test_what_is_refused(tmp_path: Path, more: str, says: str) -> None:
     with pytest.raises(SceneError, match=says):
         read(scene_of(tmp_path, PUSH + more))
+
+
+def test_a_moment_has_no_line_of_action(tmp_path: Path) -> None:
+    with pytest.raises(SceneError, match="no line of action; leave the direction out"):
+        read(scene_of(tmp_path, '[[load]]\nlink = 2\nmoment = 3\ndirection = "along z"\n'))
+
+
+def test_a_force_and_its_opposite_may_be_told_from_either_end(tmp_path: Path) -> None:
+    pair = 'from = 3\nfrom_point = "C"\ndirection = "{}"\n'
+    values = [
+        made.reading[FORCES_PLAN.on(made).balance][0]
+        for way in ("along DC", "180 deg to CD", "along CD")
+        for made in [drawn(tmp_path, PUSH + pair.format(way))]
+    ]
+    np.testing.assert_allclose(values[1], values[0], rtol=1e-12)
+    np.testing.assert_allclose(values[2], -values[0], rtol=1e-12)
 
 
 @pytest.mark.parametrize("more", ['from_point = "C"', 'direction = "against rotation"'])

@@ -11,13 +11,17 @@ from typing import Any
 import numpy as np
 import pytest
 from support.against_judge import clear, page_is_right, parameter, reactions, ways
+from support.boards import drawn_of
 from support.free_bodies import Judge
 from support.free_forces import statics
 from support.random_mechanisms import KINDS, Random, drawn
+from support.words_of_drives import FIVE_BAR, OPEN_CRANK, TURNS
 
 import graphic_tmm
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.errors import TmmError
 
+HEAD = 'title = "T"\nlanguage = "en"\n'
 CLAMP = """
 title = "Clamp"
 language = "en"
@@ -143,6 +147,15 @@ def test_readings_leave_little_at_the_drive() -> None:
     table = graphic_tmm.draw(graphic_tmm.read(CLAMP.replace('"all"', "[1, 2, 4]"))).table("forces")
     apart = table["M_bal_difference"].value[0]
     assert 0.0 < np.nanmax(apart) < 2.0
+    due = 100.0 * np.abs(table["M_bal_left"].value[0]) / 10.0  # N·m, of the crank
+    np.testing.assert_allclose(apart, due, atol=0.051)  # told to a tenth
+    made = drawn_of(graphic_tmm.read(CLAMP))
+    forces = FORCES_PLAN.on(made)
+    apart, left, whole = (
+        made.reading[mark][0] for mark in (forces.difference, forces.balance, forces.lever.balance)
+    )
+    np.testing.assert_allclose(apart, 100.0 * np.abs(left / whole), rtol=1e-12)
+    np.testing.assert_allclose(np.abs(whole), 10.0, rtol=0.01)
 
 
 def test_the_page_works_its_steps(tmp_path: Path) -> None:
@@ -159,13 +172,26 @@ def test_the_page_works_its_steps(tmp_path: Path) -> None:
         ('"along x" }', '"along q" }', "neither two letters"),
         ("link = 3, point = \"B\"", "link = 1, point = \"O\"", "O stands still"),
         ("[forces]", RUBS, "leave friction or unknown out"),
-        ("[forces]", "[flywheel]\ndelta = 0.02\n[forces]", "want all loads known"),
+        ("[forces]", "[flywheel]\ndelta = 0.02\n[forces]", r"\[flywheel\] want all loads known"),
+        ("[forces]", '[diagrams]\npoint = "B"\n[forces]', r"\[diagrams\] want all loads known"),
     ],
 )  # fmt: skip
 def test_what_cannot_be_sought_is_refused(put: str, instead: str, says: str) -> None:
     assert put in CLAMP
     with pytest.raises(TmmError, match=says):
         graphic_tmm.draw(graphic_tmm.read(CLAMP.replace(put, instead))).table("forces")
+
+
+def test_one_force_balances_no_two_drives() -> None:
+    further = '[[drive]]\nlink = 4\nspeed = 10\nat = "60 deg"\n'
+    sought = (
+        CLAMP[CLAMP.index("[forces]") :]
+        .replace("link = 3", "link = 2")
+        .replace("along x", "along OB")
+    )
+    text = "".join((HEAD, FIVE_BAR, OPEN_CRANK.replace("[drive]", "[[drive]]"), TURNS, further))
+    with pytest.raises(TmmError, match="of one drive, here are 2: leave unknown out"):
+        graphic_tmm.draw(graphic_tmm.read(text + sought)).table("forces")
 
 
 def test_a_toggle_joint_of_a_page_for_engineers() -> None:

@@ -19,6 +19,8 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
+from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read
 
 OMEGA, BORE, ROD, CLEAR, COUNT = 50.0, 0.08, 0.03, 0.1, 24
@@ -143,6 +145,60 @@ def test_every_piston_has_the_pressures_of_its_own_travel(
     np.testing.assert_allclose(whole, sum(wanted), rtol=1e-6, atol=1e-6)
 
 
+def behind(share: np.ndarray, out: np.ndarray, turn: np.ndarray) -> np.ndarray:
+    """SHAFT, written down by hand, as a pressure on the other side: with the ring's share of the area."""
+    return (1 - (ROD / BORE) ** 2) * np.where(out, 200e3 - 100e3 * share, 500e3 - 200e3 * share)
+
+
+@each("name", ["v", "offset", "in-line twin, 180", "master rod"])
+@each("omega", [OMEGA, -OMEGA])
+def test_the_gas_behind_each_piston_pushes_it_off_the_crank(
+    name: str, omega: float, tmp_path: Path
+) -> None:
+    star = STARS[name]
+    made = drawing(tmp_path, scene(star, cylinders(star, STEPS, more=SHAFT), omega=omega))
+    parts = moments(made)[1]
+    sides = (due(star, side, 1, (), omega) for side in (two_strokes, behind))
+    for found, cover, shaft in zip(parts, *sides, strict=True):
+        np.testing.assert_allclose(found, cover - shaft, rtol=1e-6, atol=1e-6)
+        assert np.abs(shaft).max() > 10.0
+
+
+@each("name", ["v", "w"])
+def test_each_moment_is_read_off_a_graph_of_its_own(name: str, tmp_path: Path) -> None:
+    star = STARS[name]
+    made = drawing(tmp_path, scene(star, cylinders(star, STEPS)))
+    flywheel = FLYWHEEL_PLAN.on(made)
+    mu = float(made.reading[flywheel.axes.mu].ravel()[0])
+    every = due(star, two_strokes, 1, (), OMEGA)
+    for k, (part, wanted) in enumerate(zip(flywheel.parts, every, strict=True)):
+        assert "BCD"[k] in part.name
+        np.testing.assert_allclose(mu * made.reading[part][0], wanted, rtol=1e-6, atol=1e-6)
+
+
+@each(
+    "gas, highest",
+    [
+        (cylinders(Star((90.0,)), STEPS), 600e3),
+        (cylinders(Star((90.0,)), STEPS, more=SHAFT.replace("500e3", "700e3")), 700e3),
+        (cylinders(Star((90.0,)), STEPS, more=SHAFT.replace("[0, 200e3]", "[0, 900e3]")), 900e3),
+        (f'[[indicator]]\npoint = "B"\nbore = 1\ncover = {[2e5, *[1e5] * (COUNT - 1)]}\n', 2e5),
+    ],
+)
+def test_the_highest_pressure_of_a_task_is_that_of_all_sides(
+    gas: str, highest: float, tmp_path: Path
+) -> None:
+    made = read(written(tmp_path, scene(Star((90.0,)), gas)))
+    (told,) = {
+        one.value
+        for part in chapters()
+        if (given := TaskSheet.of(part).given) is not None
+        for one in given(made)
+        if one.symbol == "p_{max}"
+    }
+    assert told == pytest.approx(highest, rel=1e-12)
+
+
 @each("name", ["in-line twin, 360", "v", "opposed", "three in line", "four in line", "radial"])
 @each("phases", [(0, 0, 0, 0), (0, 360, 0, 360), (360, 0, 360, 0)])
 def test_four_strokes_fire_by_their_phases(
@@ -243,6 +299,16 @@ def test_any_angle_is_read_off_each_diagram(tmp_path: Path) -> None:
 
 V = partial(scene, STARS["v"])
 PISTON_C = '[[indicator]]\npoint = "C"\n'
+SAME = PISTON_C + 'same_as = "B"\n'
+LISTED = f"shaft = {[1e5] * COUNT}\n"
+"""Pressures towards the crank, position by position."""
+OF_ANOTHER = (
+    *("clearance = 0.2\n", "strokes = 4\n", 'rod = "20 mm"\n', f"cover = {[1e5] * COUNT}\n"),
+    *(LISTED, "cover_points = { out = [[0, 1], [1, 2]], back = [[1, 2], [0, 1]] }\n"),
+    *("shaft_points = { out = [[0, 1], [1, 2]], back = [[1, 2], [0, 1]] }\n", STEPS),
+    STEPS.replace("cover", "shaft"),
+)
+"""What a cylinder has by the one whose pressures it has."""
 
 
 @each(
@@ -251,7 +317,16 @@ PISTON_C = '[[indicator]]\npoint = "C"\n'
         (PISTON_C + cylinders(Star((0.0,)), STEPS), '"bore" is missing'),
         (cylinders(STARS["v"], STEPS) + PISTON_C + 'same_as = "B"\n', "a cylinder of C already"),
         (PISTON_C + 'same_as = "C"\n', "name the piston of one that has"),
-        (cylinders(STARS["v"], STEPS) + "clearance = 0.2\n", "same_as gives it already"),
+        (cylinders(Star((0.0,)), STEPS) + PISTON_C + 'same_as = "Q"\n', 'no cylinder of "Q" has'),
+        (
+            '[[indicator]]\npoint = "B"\nsame_as = "C"\n' + PISTON_C + 'same_as = "B"\n',
+            'no cylinder of "C" has',
+        ),
+        (
+            cylinders(Star((0.0,)), STEPS) + '[[indicator]]\npoint = "Q"\nsame_as = "B"\n',
+            '"Q" is no point of a moving link',
+        ),
+        *((cylinders(STARS["v"], STEPS) + one, "same_as gives it already") for one in OF_ANOTHER),
         (cylinders(STARS["v"], STEPS) + 'phase = "90 deg"\n', "a dead centre of its own piston"),
         (cylinders(STARS["v"], STEPS) + 'phase = "360 deg"\n', "a dead centre of its own piston"),
         (
@@ -268,6 +343,8 @@ PISTON_C = '[[indicator]]\npoint = "C"\n'
             f'[[indicator]]\npoint = "B"\nbore = 1\nphase = "360 deg"\ncover = {[1e5] * COUNT}\n',
             "leave the phase out",
         ),
+        (cylinders(Star((0.0,)), STEPS, more=LISTED) + SAME, "by cover_points or cover_strokes"),
+        (cylinders(Star((0.0,)), STEPS, (360,), more=LISTED), "leave the phase out"),
     ],
 )
 def test_what_contradicts_itself_is_refused(gas: str, says: str, tmp_path: Path) -> None:
