@@ -17,9 +17,12 @@ from support.oracle import State, solve_fast
 import graphic_tmm as tmm
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.spring_diagrams import laws, spring_views
+from graphic_tmm.chapters.forces.spring_signs import letter_of
 from graphic_tmm.chapters.forces.task import ForcesTask, Spring
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
+from graphic_tmm.fitting.choice import choices
+from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.readers.task_sheet import Given, Posed, TaskSheet
 from graphic_tmm.scene.chapter import Chapter, chapters
 from graphic_tmm.scene.read import read
@@ -209,6 +212,43 @@ def test_the_diagram_goes_over_the_lengths_of_the_positions(tmp_path: Path) -> N
     dots = [one for one in view.strokes if one.position is not None]
     assert sorted(one.position for one in dots) == list(range(8))
     assert "μ_{F}" in "".join(one.text for one in view.labels) or "μ_F" in str(view.labels)
+
+
+@pytest.mark.parametrize("between", ['["A", "C"]', '["C", "A"]'])
+def test_the_diagram_of_a_spring_that_is_set_in_begins_with_its_force(
+    between: str, tmp_path: Path
+) -> None:
+    """F = c(l − l_0) + F_0 over all lengths; each dot stands at its length and its force, to both scales."""
+    spring = RATED.replace('["A", "C"]', between).replace("100 mm", "20 mm") + 'force = "-60 N"\n'
+    made = drawn(scene_of(tmp_path, spring))
+    (law,) = laws(made)
+    assert law.low == pytest.approx(0.12)  # the free length is far below
+    assert law.begin == pytest.approx(0.12 - 0.2 * 0.08)
+    assert law.largest == pytest.approx(120.0)
+    lengths = length(np.arange(8) * np.pi / 4)
+    for at in (0.0, 0.02, 0.2):
+        assert law.force(at) == pytest.approx(1000.0 * (at - 0.02) - 60.0)
+    (view,) = spring_views(made, True)
+    dots = {one.position: one for one in view.strokes if one.position is not None}
+    spots = np.array([_centre(dots[k]) for k in range(8)])
+    mu_l, mu_F = made.scales["positions"].value, choices(made).scale(law.view, "μ_F").value
+    due = lengths / mu_l + 1j * (1000.0 * lengths - 80.0) / mu_F
+    np.testing.assert_allclose(spots - spots[0], due - due[0], atol=1e-9)
+    assert abs(due[4] - due[0]) > 20.0
+
+
+def _centre(dot: object) -> complex:
+    assert isinstance(dot, Stroke)
+    return complex(np.mean([complex(x, y) for x, y, _ in dot.path]))
+
+
+def test_a_force_alone_has_no_diagram_and_its_own_letter(tmp_path: Path) -> None:
+    made = drawn(scene_of(tmp_path, 'between = ["A", "C"]\nforce = "-60 N"\n'))
+    assert list(laws(made)) == []
+    (one,) = FORCES_PLAN.on(made).loads.springs
+    assert letter_of(one.spring, one.number) == "F_0"
+    (force,) = FORCES_PLAN.on(made).loads.forces
+    assert made.reading[force.value][0] == pytest.approx(-60.0)
 
 
 def test_a_damper_has_no_diagram(tmp_path: Path) -> None:

@@ -108,6 +108,38 @@ def test_a_travel_may_begin_at_the_end_that_is_named(tmp_path: Path) -> None:
         np.testing.assert_allclose(found, due(star, k, phi, OMEGA, outer=False), rtol=1e-8)
 
 
+@each("zero", ["17 deg", "outer", "inner"])
+@each(
+    "angle, start, outer",
+    [
+        (90.0, "top", True),
+        (90.0, "bottom", False),
+        (270.0, "top", False),
+        (270.0, "bottom", True),
+        (0.0, "right", True),
+        (0.0, "left", False),
+        (180.0, "right", False),
+        (180.0, "left", True),
+        (135.0, "top", True),
+        (135.0, "right", False),
+    ],
+)
+def test_each_end_is_told_by_its_side_wherever_the_row_begins(
+    angle: float, start: str, outer: bool, zero: str, tmp_path: Path
+) -> None:
+    """Where the row begins at that end itself too, and where it begins at the other."""
+    star = Star((angle,))
+    begins = {"17 deg": 17.0, "outer": angle, "inner": angle + 180.0}[zero]
+    text = drive(OMEGA, loads(star, f'start = "{start}"\n')).replace("17 deg", f"{begins} deg")
+    made = drawn_of(read(written(tmp_path, star.text(text))), exact=True)
+    phi = np.radians(begins + 22.5 * np.arange(16))
+    moves = np.abs(star.speed(0, phi, OMEGA)) > 1e-3
+    assert moves.sum() >= 14
+    (found,) = sizes(made)
+    wanted = due(star, 0, phi, OMEGA, outer=outer)
+    np.testing.assert_allclose(found[moves], wanted[moves], rtol=1e-7)
+
+
 def test_an_end_that_is_none_is_refused(tmp_path: Path) -> None:
     star = Star((0.0, 90.0))
     scene = read(written(tmp_path, star.text(drive(OMEGA, loads(star, 'start = "left"\n')))))
