@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.draft import ROUNDING
 from graphic_tmm.chapters.kinematics.drives import driven
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
@@ -17,7 +18,12 @@ from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.narration import remark
 from graphic_tmm.readers.task_sheet import SIZE, Given, given_figure
+from graphic_tmm.scene.quantities import turns_a_minute
 from graphic_tmm.scene.records import Scene
+
+RPM = "rpm"
+_RATES = ("1/s", "m/s", RPM)
+"""Units of rates."""
 
 
 def given(scene: Scene) -> Iterator[Given]:
@@ -33,14 +39,30 @@ def given(scene: Scene) -> Iterator[Given]:
     yield from _directions(mechanism)
     pairs = driven(mechanism, dissect(mechanism))
     for pair in pairs:
-        yield from pair.given()
+        yield from _of_drive(scene, pair)
     for pair in pairs[1:]:
         own = pair.sweep
         yield Given(f"{own.letter}_{{{pair.link},0}}", pair.drive.start, "°" if own.turns else SIZE)
-    if scene.row.ends is not None:
+    if scene.row.ends is not None or scene.row.places:
         yield stroke(scene)
     yield from _masses(mechanism)
     yield Given("positions in a turn", scene.row.count)
+
+
+def _of_drive(scene: Scene, pair: DrivenPair) -> Iterator[Given]:
+    """What a scene gives of a drive; a rate that it lists is given position by position."""
+    drive = pair.drive
+    rates = () if pair.mechanism.at_rest else drive.rates
+    for row in pair.given():
+        some = drive.gains if row.unit.endswith("s²") else rates if row.unit in _RATES else ()
+        if some and row.unit == RPM:
+            turns = [n for n in map(turns_a_minute, some) if n is not None]
+            if len(turns) == len(some):
+                some = tuple(turns)
+            else:
+                row = row._replace(symbol=pair.speed_letter, unit="1/s")
+        listed = "; ".join(given_figure(one, scene.language) for one in some)
+        yield row._replace(value=listed) if some else row
 
 
 def stroke(scene: Scene) -> Given:
@@ -117,7 +139,7 @@ def _directions(mechanism: Mechanism) -> Iterator[Given]:
     for link in _ordered(mechanism):
         first, *others = link.arms or (None,)
         for arm in others:
-            yield _between_arms(link, first, arm)
+            yield from _between_arms(link, first, arm)
         spots: Sequence[complex] = [z for z in link.points.values()]
         base = math.degrees(math.atan2(*_sides(spots))) if len(spots) > 1 else 0.0
         for guide in link.guides:
@@ -125,14 +147,16 @@ def _directions(mechanism: Mechanism) -> Iterator[Given]:
                 yield _direction(guide, base)
 
 
-def _between_arms(link: Link, first: Arm | None, second: Arm) -> Given:
-    """The angle from the first arm of a link to another, by a point of each."""
+def _between_arms(link: Link, first: Arm | None, second: Arm) -> Iterator[Given]:
+    """The angle from the first arm of a link to another, by a point of each, if both have one elsewhere."""
     assert first is not None
     at = link.points[second.at]
-    one, two = (next(k for k in arm.letters if k != second.at) for arm in (first, second))
+    one, two = (next((k for k in arm.letters if k != second.at), None) for arm in (first, second))
+    if one is None or two is None:
+        return
     base, way = link.points[one] - at, link.points[two] - at
     angle = math.degrees(math.atan2(*_sides((0j, way * base.conjugate()))))
-    return Given(f"α_{{{one}{second.at}{two}}}", angle, "°")
+    yield Given(f"α_{{{one}{second.at}{two}}}", angle, "°")
 
 
 def _sides(spots: Sequence[complex]) -> tuple[float, float]:

@@ -37,6 +37,7 @@ from graphic_tmm.mechanism.records import Drive, Extreme, Mechanism, Row, Sweep
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
+from graphic_tmm.scene.records import Scales
 
 INSIDE = 0.05
 """A stroke whose ends the scene does not name stops this share of it before the places where it locks."""
@@ -141,12 +142,7 @@ def record(bench: Bench) -> KinematicPlans:
     assert mechanism is not None
     structure = dissect(mechanism)
     _refuse_unknown_places(mechanism, row)
-    if mechanism.drive.rates and scene.scales.mu_v_is_mu_l_omega:
-        raise StructureError(
-            said("μ_v = μ_l·ω₁ holds for one ω₁; the speed is listed by positions: write mu_v"),
-            "scales.mu_v",
-            head="scales",
-        )
+    _refuse_scales(scene.scales, mechanism.drive)
     tried = survey(mechanism, structure, zero_of(row))
     if turns > 1 and tried.returning_late:
         raise StructureError(
@@ -270,6 +266,21 @@ def _refuse_unknown_places(mechanism: Mechanism, row: Row) -> None:
         raise StructureError(says, f"drive.{key}", head="drive")
 
 
+def _refuse_scales(wanted: Scales, drive: Drive) -> None:
+    """Refuse lengths in mm, and a scale factor, by which a drive shows nothing."""
+    says, key = None, "mu_v"
+    if wanted.mu_v_is_mu_l_omega and drive.rates:
+        says = said("μ_v = μ_l·ω₁ holds for one ω₁; the speed is listed by positions: write mu_v")
+    elif wanted.mu_v_is_mu_l_omega and (drive.slides or drive.rack):
+        says = said("μ_v = μ_l·ω₁ holds where a speed ω₁ is given; write mu_v")
+    elif wanted.OA and drive.slides:
+        says, key = said("the drive slides, it has no crank as long as that; write mu_l"), "OA"
+    elif wanted.pi_a and (drive.slides or not drive.speed) and not drive.acceleration:
+        says, key = said("the drive has no acceleration that long; write mu_a"), "pi_a"
+    if says is not None:
+        raise StructureError(says, f"scales.{key}", head="scales")
+
+
 def _filled(row: Row, assembly: Assembly) -> Row:
     """Return a row with its ends: where a drive slides and the scene names none, those of its stroke."""
     if assembly.sweep.turns or row.ends is not None or row.places:
@@ -311,7 +322,8 @@ def _numbers(values: np.ndarray, row: Row, drive: Drive, sweep: Sweep) -> np.nda
         own = np.abs(values[0, : row.count] - values[0, 0])
         numbers = np.interp(travelled, own, np.arange(row.count))
     else:
-        numbers = (np.round(travelled, LAST) % sweep.high) * row.count / (sweep.high * row.turns)
+        turn = sweep.high - sweep.low
+        numbers = (np.round(travelled, LAST) % turn) * row.count / (turn * row.turns)
     numbers[: row.count] = np.arange(row.count)
     return np.asarray(numbers)
 

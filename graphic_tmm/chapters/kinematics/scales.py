@@ -162,7 +162,7 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
             pin_speed / wanted.pa if wanted.pa else standard(reach.velocities, sizes[VELOCITIES])
         )
         if wanted.mu_v_is_mu_l_omega:
-            mu_v = mu_l * abs(made.mechanism.drive.speed)
+            mu_v = mu_l * abs(made.pairs[0].speed)
         scales[VELOCITIES] = Scale("μ_v", mu_v, UNITS["mu_v"])
     if made.accelerations is not None:
         mu_a = wanted.mu_a or (

@@ -7,12 +7,14 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from support.drives import BOOM, LEVER, rated
 from support.each import each
 from support.gallery import NAMES, SHEETS, paper, scene
 from support.mechanisms import sample
 from support.rewritten import relettered, text_of
 from support.scenes import slider_crank
 
+import graphic_tmm as tmm
 from graphic_tmm.readers.task_sheet import Given, given_rows, given_table
 from graphic_tmm.scene.read import read
 
@@ -107,3 +109,33 @@ def test_a_long_list_stands_side_by_side_and_derived_lengths_have_a_figure_less(
     assert texts.count("Обозначение") == 2
     assert {"136,57", "1,45", "380", "об/мин", "0,323", "кг·м²"} <= set(texts)
     assert given_rows(scene("windrower"))[0] == Given("K_v", 1.45)
+
+
+def of_drive(text: str) -> dict[str, tuple[object, str]]:
+    return {row.symbol: (row.value, row.unit) for row in given_rows(tmm.read(text))}
+
+
+def test_what_a_drive_lists_by_positions_is_given_as_a_list() -> None:
+    given = of_drive(rated(BOOM))
+    assert given["v_r"] == ("0.1; 0.2; 0.3; 0.4; 0.5; 0.6", "m/s")
+    assert given["a_r"] == ("−0.4; −0.2; 0; 0.2; 0.4; 0.6", "m/s²")
+    turns = ["60 rpm", "90 rpm", "120 rpm", "0 rpm", "10 rpm", "20 rpm"]
+    lever = LEVER.replace('"2 rad/s"', str(turns).replace("'", '"'))
+    assert of_drive(lever)["n_1"] == ("60; 90; 120; 0; 10; 20", "rpm")
+    assert of_drive(lever.replace("20 rpm", "2 rad/s"))["ω_1"][1] == "1/s"
+
+
+def test_places_that_are_listed_are_given() -> None:
+    places = LEVER.replace("positions = 6", 'positions = ["20 deg", "50 deg"]')
+    places = places.replace('from = "20 deg"\nto = "75 deg"\n', "")
+    assert of_drive(places)["φ"] == ("20; 50", "°")
+
+
+def test_of_an_arm_without_a_point_of_its_own_no_angle_is_given() -> None:
+    text = LEVER.replace(
+        "[drive]",
+        "[[link]]\nnumber = 4\npoints = { B = [0, 0] }\n"
+        'weld = { to = 3, angle = "30 deg" }\n[drive]',
+    )
+    assert not [symbol for symbol in of_drive(text) if "4" in symbol]
+    assert "l_{BC}" in of_drive(text)

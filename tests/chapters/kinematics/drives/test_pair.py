@@ -14,6 +14,7 @@ from support.scenes import written
 from support.words_of_drives import FIVE_BAR
 
 import graphic_tmm as tmm
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import TmmError
 
 HEAD = 'title = "T"\nlanguage = "en"\n'
@@ -112,3 +113,43 @@ number = 3
 points = { B = [0, 0] }
 slides = { on = "frame", along = "x", side = "right" }
 """
+
+
+@each(
+    "text, asked, says",
+    [
+        (SLIDER, 'OA = "50 mm"', "it has no crank as long as that; write mu_l"),
+        (BOOM, 'OA = "50 mm"', "it has no crank as long as that; write mu_l"),
+        (SLIDER, 'pi_a = "50 mm"', "the drive has no acceleration that long; write mu_a"),
+        (RACK, 'mu_v = "mu_l*omega1"', "holds where a speed ω₁ is given; write mu_v"),
+        (BOOM, 'mu_v = "mu_l*omega1"', "holds where a speed ω₁ is given; write mu_v"),
+    ],
+)
+def test_a_length_in_mm_that_shows_nothing_of_the_drive_is_refused(
+    text: str, asked: str, says: str
+) -> None:
+    with pytest.raises(TmmError, match=says):
+        drawn_of(tmm.read(f"{text}[scales]\n{asked}\n"))
+
+
+@each(
+    "text, segment",
+    [(SLIDER, "pb"), (LEVER, "pa"), (RACK, "pa"), (BOOM, "pk2")],
+)
+def test_the_segment_of_what_drives_is_as_long_as_the_scene_says(text: str, segment: str) -> None:
+    made = tmm.draw(tmm.read(f'{text}[scales]\npa = "40 mm"\n'), exact=True)
+    assert made.table("velocities")[segment].mm[0] == pytest.approx(40.0)
+
+
+def test_a_crank_at_rest_has_its_velocities_to_the_scale_of_its_lengths() -> None:
+    """μ_v = μ_l·ω₁ of the possible velocities, ω₁ = 1 1/s: pa = OA."""
+    still = LEVER.replace('"2 rad/s"', "0")
+    made = tmm.draw(tmm.read(f'{still}[scales]\nOA = "50 mm"\nmu_v = "mu_l*omega1"\n'), exact=True)
+    assert made.table("velocities")["pa"].mm[0] == pytest.approx(50.0)
+
+
+def test_drives_together_that_begin_clockwise_count_their_positions() -> None:
+    first = FIRST.replace('zero = "60 deg"\n', 'turns = "clockwise"\n')
+    made = drawn_of(tmm.read(HEAD + FIVE_BAR + first + SECOND))
+    assert made.project.coordinates == (0.0, -120.0, -240.0)
+    np.testing.assert_allclose(KINEMATICS_PLAN.on(made).numbers, [0.0, 1.0, 2.0])
