@@ -355,18 +355,6 @@ ISO_NEXT = Block(
 )
 """The following English sheets: 180 × 10."""
 
-BLOCKS = (
-    FORM_1,
-    FORM_2,
-    FORM_2A,
-    COLUMN_26,
-    COLUMN_26_UPRIGHT,
-    MARGIN_19_23,
-    MARGIN_24_25,
-    ISO_FIRST,
-    ISO_NEXT,
-)
-
 
 def ruled(block: Block, at: complex) -> tuple[Stroke, ...]:
     """Return the lines of a block whose lower left corner stands at ``at`` (complex, mm)."""

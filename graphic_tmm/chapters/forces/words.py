@@ -171,10 +171,6 @@ NORMAL_PART = said(
 BALANCING_LINE = said(
     "The balancing force acts at the crank pin, square to the crank, where its arm is longest."
 )
-CRANK_SIDES = said(
-    "The crank is in equilibrium too: its forces close a polygon, and the last side is the reaction of the "
-    "frame."
-)
 CRANK_REACTION = said(
     "What closes the polygon of the crank is the reaction of the frame on its pivot."
 )

@@ -94,15 +94,6 @@ def rate_marks(project: Project) -> dict[tuple[str, str], Mark]:
     return {**found, **{(one.plan, one.name): one.mark for one in plans.rows}}
 
 
-def speed_marks(project: Project) -> list[Mark]:
-    """Return the marks that tell how fast the mechanism runs."""
-    velocities = KINEMATICS_PLAN.on(project).velocities
-    if velocities is None:
-        return []
-    speed = [velocities.speed] if velocities.speed is not None else []
-    return [*speed, *velocities.rates.values()]
-
-
 TABLE = Tabled(columns=kinematic_columns)
 
 

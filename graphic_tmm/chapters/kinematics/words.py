@@ -47,14 +47,9 @@ WORDS = Named(
 FRAME_AXIS = said("The points of the fixed link are laid off from {start} along this axis.")
 FROM_FIRST = said("The angles of the positions are counted from that of the first.")
 CRANK = said("The crank turns about {start}: in each position it stands at its own angle.")
-DRIVEN_GUIDE = said("What drives slides along this guide, which is fixed.")
 FROM_ITS_LINE = said("It is laid off from where the line of the guide is drawn from.")
 DRIVEN_PIN = said("How far it has come along its guide is given in each position.")
 ROD_AXIS = said("The rod runs out of its cylinder along the line that joins both pins.")
-SPEED_OF_SLIDER = said("How fast it slides is given: its velocity has the direction of the guide.")
-GAIN_OF_SLIDER = said(
-    "Its acceleration has the direction of the guide: none where it slides evenly."
-)
 ROD_OUT = said(
     "The rod runs out of the cylinder at the speed that is given: the pin goes along {to} at that speed, seen "
     "from the cylinder."
