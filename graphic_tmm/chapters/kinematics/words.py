@@ -27,7 +27,7 @@ SYMBOLS = (
     ("ω", said("angular velocity"), "1/s"),
     ("ε", said("angular acceleration"), "1/s²"),
     ("v", said("velocity of a point"), "m/s"),
-    ("v_r", said("velocity of a rod out of its cylinder"), "m/s"),
+    ("v_r", said("given speed of the drive"), "m/s"),
     ("a_B", said("acceleration of a point"), "m/s²"),
     ("μ_l", said("scale factor of lengths"), "m/mm"),
     ("μ_v", said("scale factor of velocities"), "(m/s)/mm"),
@@ -106,6 +106,9 @@ CYLINDER_LENGTH = said(
 )
 SPEED_OF_PIN = said(
     "The crank turns about a fixed pivot: the speed of its pin is the angular velocity times the radius."
+)
+POSSIBLE_SPEED = said(
+    "The crank stands: a possible plan is drawn at 1 rad/s, for only the ratios of possible velocities count."
 )
 VELOCITY_OF_PIN = said(
     "A velocity is tangent to the path, here a circle: it is square to the crank, in the sense in which "

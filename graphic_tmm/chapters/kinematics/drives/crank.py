@@ -96,7 +96,8 @@ class Crank(DrivenPair):
         draft.say(f"v_{pin} = ω_{number}·l_{{{pivot}{pin}}},  v_{pin} ⊥ {pivot}{pin}")
         omega = plan.speeds[number] = self.turning(draft)
         arm = self.real_arm(draft, positions)
-        velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s", why=why.SPEED_OF_PIN)
+        because = why.POSSIBLE_SPEED if self.mechanism.at_rest else why.SPEED_OF_PIN
+        velocity = draft.draw(product, f"v_{pin}", omega, arm, unit="m/s", why=because)
         segment = between(pole, image_letter(pin))
         length = draft.draw(to_board, segment, velocity)
         sense = self.drive.sense
