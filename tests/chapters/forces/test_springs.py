@@ -22,7 +22,7 @@ from graphic_tmm.chapters.forces.task import ForcesTask, Spring
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.choice import choices
-from graphic_tmm.paper.drawing import Stroke
+from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.readers.task_sheet import Given, Posed, TaskSheet
 from graphic_tmm.scene.chapter import Chapter, chapters
 from graphic_tmm.scene.read import read
@@ -235,6 +235,15 @@ def test_the_diagram_of_a_spring_that_is_set_in_begins_with_its_force(
     due = lengths / mu_l + 1j * (1000.0 * lengths - 80.0) / mu_F
     np.testing.assert_allclose(spots - spots[0], due - due[0], atol=1e-9)
     assert abs(due[4] - due[0]) > 20.0
+    upright = [
+        x for x in _paths(view, "axis") if abs(x[0] - x[-1]) > 20.0 and x[0].real == x[-1].real
+    ]
+    assert upright[0][0].real == pytest.approx((spots[0] - due[0]).real + law.begin / mu_l)
+
+
+def _paths(view: Drawing, part: str) -> list[list[complex]]:
+    inked = (one for one in view.strokes if isinstance(one, Stroke) and one.part == part)
+    return [[complex(x, y) for x, y, _ in one.path] for one in inked]
 
 
 def _centre(dot: object) -> complex:

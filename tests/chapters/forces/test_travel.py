@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -128,10 +129,29 @@ def test_each_end_is_told_by_its_side_wherever_the_row_begins(
     angle: float, start: str, outer: bool, zero: str, tmp_path: Path
 ) -> None:
     """Where the row begins at that end itself too, and where it begins at the other."""
-    star = Star((angle,))
     begins = {"17 deg": 17.0, "outer": angle, "inner": angle + 180.0}[zero]
-    text = drive(OMEGA, loads(star, f'start = "{start}"\n')).replace("17 deg", f"{begins} deg")
-    made = drawn_of(read(written(tmp_path, star.text(text))), exact=True)
+    _starts(Star((angle,)), begins, start, outer, tmp_path)
+
+
+@each("zero, outer", [(17.0, True), (90.0, True), (270.0, False)])
+def test_a_travel_begins_where_the_row_does_if_it_turns_back_there(
+    zero: float, outer: bool, tmp_path: Path
+) -> None:
+    _starts(Star((90.0,)), zero, "", outer, tmp_path)
+
+
+def _starts(star: Star, begins: float, start: str, outer: bool, folder: Path) -> None:
+    """Compare the loads of a slider with the judge; its guide is drawn forth, and back."""
+    told = loads(star, f'start = "{start}"\n' if start else "")
+    text = drive(OMEGA, told).replace("17 deg", f"{begins} deg")
+    turned = replace(star, angles=(star.angles[0] + 180.0,)).text(text)
+    mirrored = [turned.replace('side = "+"', 'side = "-"')] if begins == 17.0 else []
+    for scene in (star.text(text), *mirrored):
+        made = drawn_of(read(written(folder, scene)), exact=True)
+        _compare(star, made, begins, outer)
+
+
+def _compare(star: Star, made: Drawn, begins: float, outer: bool) -> None:
     phi = np.radians(begins + 22.5 * np.arange(16))
     moves = np.abs(star.speed(0, phi, OMEGA)) > 1e-3
     assert moves.sum() >= 14
