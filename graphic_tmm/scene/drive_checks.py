@@ -12,6 +12,13 @@ from graphic_tmm.scene.mechanism import Drive, Frame, FurtherDrive, Link
 from graphic_tmm.scene.sections import Parts
 
 
+def goes_by_length(drive: Drive, parts: Parts) -> bool:
+    """Whether the places of a drive are lengths: it slides, or a rack turns it."""
+    link = next((one for one in parts.links if one is not None and one.number == drive.link), None)
+    racked = drive.rack is not None
+    return racked or (parts.frame is not None and mechanism.slides(drive, link, parts.frame))
+
+
 def motion_faults(path: Path, drive: Drive | FurtherDrive, parts: Parts) -> Iterator[Flaw]:
     """A speed in m/s of a link that does not slide, angles of one that does, and the other way round."""
     link = next((one for one in parts.links if one is not None and one.number == drive.link), None)

@@ -11,6 +11,7 @@ from graphic_tmm.chapters.indicator.task import ONE_TURN
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section
+from graphic_tmm.scene.drive_checks import goes_by_length
 from graphic_tmm.scene.quantities import in_kgf
 from graphic_tmm.scene.references import Outline, arm_only, no_link, no_moving, of_link
 from graphic_tmm.scene.units import GRAVITY, KGF
@@ -66,8 +67,14 @@ def _unknown(path: Path, unknown: task.Unknown, parts: Parts) -> Iterator[Flaw]:
 
 def _loads(loads: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
     count = parts.drive.count if parts.drive is not None else None
+    strokes = parts.drive is not None and goes_by_length(parts.drive, parts)
     for path, load in loads:
         yield from _load(path, load, parts.names, count)
+        if load.by_angle is not None and strokes:
+            says = said(
+                "what drives slides and has no angle: write by_position, or of and out for a travel"
+            )
+            yield Flaw((*path, "by_angle"), says)
         for other in ONE_TURN:
             if other in parts.doc and task.turns_of(load.by_angle or ()) > 1:
                 says = said(

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support import drives
 from support.boards import drawn_of
 from support.each import each
 from support.scenes import written
@@ -196,3 +197,22 @@ def test_graphs_of_one_turn_take_no_load_over_two(tmp_path: Path) -> None:
     )
     with pytest.raises(SceneError, match="it goes over two turns"):
         read(written(tmp_path, STARS["v"].text(drive(OMEGA, load))))
+
+
+TURNED = (
+    '[[load]]\nlink = 3\npoint = "B"\ndirection = "0 deg"\n'
+    'by_angle = [[0, "10 N"], [100, "110 N"], [360, "10 N"]]\n[forces]\npositions = "all"\n'
+)
+
+
+@each("text", [drives.RACK, drives.BOOM, drives.SLIDER])
+def test_lengths_are_no_angles(text: str, tmp_path: Path) -> None:
+    with pytest.raises(SceneError, match="by_angle: what drives slides and has no angle"):
+        read(written(tmp_path, text + TURNED))
+
+
+def test_a_lever_that_turns_in_part_goes_by_its_turn_from_the_first_position(
+    tmp_path: Path,
+) -> None:
+    made = drawn_of(read(written(tmp_path, drives.LEVER + TURNED)), exact=True)
+    np.testing.assert_allclose(sizes(made)[0], 10.0 + 11.0 * np.arange(6), rtol=1e-12)
