@@ -90,7 +90,7 @@ def _steps(row: Row, sense: float) -> tuple[float, np.ndarray]:
 
 def _lengths(draft: Draft, sweep: Sweep, row: Row) -> Numbered:
     """Record how far what slides has come in every position, m."""
-    if row.extra or isinstance(row.zero, Extreme):
+    if row.extra or row.zero != 0.0:
         raise StructureError(
             said(
                 "a drive that slides has a row from one length to another: write from and to, or all "

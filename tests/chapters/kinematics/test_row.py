@@ -5,11 +5,13 @@ from __future__ import annotations
 import math
 
 import pytest
+from support import drives
 from support.boards import recorded
 from support.gallery import SHEETS
 from support.linkages import slider_crank
 from support.rows import apart, places, project_of
 
+import graphic_tmm as tmm
 from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Row
@@ -130,3 +132,17 @@ def test_an_extra_is_named_with_as_many_digits_as_tell_it() -> None:
     )
     assert project.coordinates[13] == 29.999999999
     assert project.coordinates[14] == 29.9999999999
+
+
+@pytest.mark.parametrize(
+    ("text", "point"), [(drives.RACK, "A"), (drives.BOOM, "N"), (drives.SLIDER, "A")]
+)
+@pytest.mark.parametrize(
+    "key", ['zero = "20 deg"', 'zero = { point = "%s", at = "left" }', 'extra = ["90 deg"]']
+)
+def test_a_row_of_lengths_takes_no_angle(text: str, point: str, key: str) -> None:
+    kept = [line for line in text.splitlines() if not line.startswith(("from", "to ="))]
+    scene = tmm.read("\n".join([*kept, key.replace("%s", point)]))
+    assert scene.mechanism is not None
+    with pytest.raises(StructureError, match=f"from one length .* and no {key.split()[0]}"):
+        recorded(scene.mechanism, scene.row)
