@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from graphic_tmm.board.execute import execute
@@ -24,6 +25,7 @@ from graphic_tmm.note.document import (
     Symbol,
     Table,
     Text,
+    lettered,
     paragraph,
     text,
 )
@@ -64,7 +66,29 @@ def task(made: DrawnScene, language: str) -> Iterator[Block]:
     if shown is not None:
         yield shown
     yield from tables
+    yield from _by_points(made, language)
     yield from _conditions(made, language)
+
+
+def _by_points(made: DrawnScene, language: str) -> Iterator[Table]:
+    """Yield what is given point by point; what has no title goes on under the last one."""
+    listed = (
+        one
+        for drawn in made.boards
+        for chapter in drawn.project.chapters
+        for one in TaskSheet.of(chapter).listed(made.scene, language)
+    )
+    title = ""
+    for k, one in enumerate(dict.fromkeys(listed)):
+        heads, *rows = (tuple(map(_cell, row)) for row in (one.heads, *one.rows))
+        title = one.title or title
+        yield Table(f"table-listed-{k}", lettered(title), heads, tuple(rows), "c" * len(heads))
+
+
+def _cell(words: str) -> Runs:
+    """Return a cell: a letter with an index or a power, and what follows it."""
+    letter = re.match(r"[^ ,]*[_^](\{[^}]*\}|\w)*", words)
+    return (Symbol(letter[0]), *text(words[letter.end() :])) if letter else text(words)
 
 
 def _conditions(made: DrawnScene, language: str) -> Iterator[Block]:

@@ -72,3 +72,21 @@ def test_the_list_of_symbols_has_what_stands_in_the_note(
     rows = legend(name)
     assert [word for word in there if word not in rows] == []
     assert [word for word in missing if word in rows] == []
+
+
+@each(
+    "name, words",
+    [
+        ("v-engine", "Цилиндр C. Давления на поршень"),
+        ("engine", "Давления на поршень"),
+        ("crank-press", "по перемещению точки B"),
+    ],
+)
+def test_what_is_given_point_by_point_stands_in_the_task(name: str, words: str) -> None:
+    found = [
+        block
+        for block in walk(noted(name).blocks)
+        if isinstance(block, Table) and block.id.startswith("table-listed-")
+    ]
+    assert any(words in repr(table.caption) for table in found)
+    assert all(len(row) == len(table.heads) for table in found for row in table.rows)

@@ -68,7 +68,7 @@ def listed(order: IndicatorTask | None, scene: Scene, language: str) -> Iterator
         of = _(_CYLINDER, point=one.point) if order.further else ""
         for gas, title in ((one.cover, _COVER), (one.shaft, _SHAFT)):
             if gas is not None:
-                yield from _side(scene, gas, ", ".join(filter(None, (of, _(title)))), language)
+                yield from _side(scene, gas, ". ".join(filter(None, (of, _(title)))), language)
 
 
 def _side(scene: Scene, gas: Gas, title: str, language: str) -> Iterator[Listed]:
