@@ -7,19 +7,26 @@ import math
 from collections.abc import Iterator
 
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.formula import formula
 from graphic_tmm.board.operations.formulas import product, product_of_squares, to_board
 from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, square
 from graphic_tmm.board.record import Mark, between
-from graphic_tmm.board.values import Angle
+from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Body, Positions, draw_points, stand
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, Sizes
 from graphic_tmm.chapters.kinematics.motion import Base, Hanging, Motion, component, image_letter
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
 from graphic_tmm.fitting.choice import Ledger
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.records import TURN, Sweep
 from graphic_tmm.readers.task_sheet import Given, given_speed
+
+
+@formula(why=said("The normal and the tangential acceleration are square to each other."))
+def whole(normal: Number, tangential: Number) -> Number:
+    """√({normal}² + {tangential}²)"""
 
 
 class Crank(DrivenPair):
@@ -184,10 +191,18 @@ class Crank(DrivenPair):
     @property
     def sizes(self) -> Sizes[float]:
         """Its length, the speed and the acceleration of its pin."""
-        arm, speed = abs(self.arm), abs(self.speed)
-        own = 0.0 if self.mechanism.at_rest else speed
-        gain = abs(own**2 + 1j * self.drive.acceleration) * arm
-        return Sizes(arm, speed * arm, gain)
+        arm, own = abs(self.arm), 0.0 if self.mechanism.at_rest else self.omega
+        return Sizes(arm, self.omega * arm, abs(own**2 + 1j * self.epsilon) * arm)
+
+    @property
+    def omega(self) -> float:
+        """How fast it turns, 1/s."""
+        return abs(self.speed)
+
+    @property
+    def epsilon(self) -> float:
+        """Its angular acceleration, 1/s²."""
+        return self.drive.acceleration
 
     @property
     def segments(self) -> Sizes[str]:
@@ -209,11 +224,23 @@ class Crank(DrivenPair):
         return ledger.calculated(product, f"v_{self.pin}", *known, unit="m/s")
 
     def gain_known(self, ledger: Ledger) -> Mark | None:
-        """Write down a = ω²·l; nothing of what stands."""
-        if self.mechanism.at_rest:
+        """Write down ω²·l, ε·l, or what both come to; nothing of what stands, or is listed by positions."""
+        if self.listed or not self.sizes.acceleration:
             return None
-        known = self.rate_known(ledger), self.length_known(ledger)
-        return ledger.calculated(product_of_squares, f"a_{self.pin}", *known, unit="m/s²")
+        arm, pin, parts = self.length_known(ledger), self.pin, list[Mark]()
+        if not self.mechanism.at_rest:
+            letter = f"a_{{{pin}}}^{{n}}" if self.epsilon else f"a_{pin}"
+            known = self.rate_known(ledger), arm
+            parts.append(ledger.calculated(product_of_squares, letter, *known, unit="m/s²"))
+        if self.epsilon:
+            known = self.epsilon_known(ledger), arm
+            parts.append(ledger.calculated(product, f"a_{{{pin}}}^{{t}}", *known, unit="m/s²"))
+        both = len(parts) == 2
+        return ledger.calculated(whole, f"a_{pin}", *parts, unit="m/s²") if both else parts[0]
+
+    def epsilon_known(self, ledger: Ledger) -> Mark:
+        """Write down its angular acceleration without its sign (1/s²)."""
+        return ledger.quantity(f"ε_{self.link}", abs(self.epsilon), "1/s²")
 
     def given(self) -> Iterator[Given]:
         """Yield its speed, in turns a minute where it was given so, and its acceleration."""

@@ -84,6 +84,11 @@ class DrivenPair(ABC):
         """Its second rate as it is given: a number, or a row of positions (1, position)."""
         return np.array(self.drive.gains)[None, :] if self.drive.gains else self.drive.acceleration
 
+    @property
+    def listed(self) -> bool:
+        """Whether its speed or its acceleration is listed by positions."""
+        return bool(self.drive.rates or self.drive.gains)
+
     def take(self, draft: Draft, letter: str, rate: float | Reals, unit: str) -> Mark:
         """Take a rate or a second rate as it is given."""
         return draft.take(Number, letter, rate, unit, roles.RATE if np.size(rate) > 1 else "")
@@ -187,7 +192,7 @@ class DrivenPair(ABC):
 
     def gain_known(self, ledger: Ledger) -> Mark | None:
         """Write down the acceleration that is known (m/s²); None where there is none."""
-        if not self.drive.acceleration:
+        if self.listed or not self.drive.acceleration:
             return None
         return ledger.quantity(self.gain_letter, abs(self.drive.acceleration), "m/s²")
 

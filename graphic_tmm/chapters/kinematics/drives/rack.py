@@ -11,7 +11,6 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.kinematics.bodies import Body
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
-from graphic_tmm.chapters.kinematics.drives.pair import Sizes
 from graphic_tmm.fitting.choice import Ledger
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.driven import Driven
@@ -97,18 +96,26 @@ class Rack(Crank):
         return "a_r"
 
     @property
-    def sizes(self) -> Sizes[float]:
-        """The length of the arm, the speed and the acceleration of its pin."""
-        arm = abs(self.arm)
-        omega, epsilon = self.speed / self.radius, self.drive.acceleration / self.radius
-        own = 0.0 if self.mechanism.at_rest else omega
-        return Sizes(arm, abs(omega) * arm, abs(own**2 + 1j * epsilon) * arm)
+    def omega(self) -> float:
+        """How fast the wheel turns, 1/s."""
+        return abs(self.speed) / self.radius
+
+    @property
+    def epsilon(self) -> float:
+        """The angular acceleration of the wheel, 1/s²."""
+        return self.drive.acceleration / self.radius
 
     def rate_known(self, ledger: Ledger) -> Mark:
         """Write down ω = v/r."""
         speed = ledger.quantity(self.speed_letter, abs(self.speed), "m/s")
         radius = ledger.quantity(f"r_{self.link}", self.radius, "m")
         return ledger.calculated(by_rack, f"ω_{self.link}", speed, radius, unit="1/s")
+
+    def epsilon_known(self, ledger: Ledger) -> Mark:
+        """Write down ε = a/r."""
+        gain = ledger.quantity(self.gain_letter, abs(self.drive.acceleration), "m/s²")
+        radius = ledger.quantity(f"r_{self.link}", self.radius, "m")
+        return ledger.calculated(by_rack, f"ε_{self.link}", gain, radius, unit="1/s²")
 
     def given(self) -> Iterator[Given]:
         """Yield the radius of the wheel, the speed and the acceleration of the rack."""
