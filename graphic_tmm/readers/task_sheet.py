@@ -102,6 +102,8 @@ class TaskSheet(Answer):
 NAME = "table-given"
 TALL = 12
 """More rows than these stand side by side."""
+LONG = 8
+"""Of more figures than these in a row, only from where to where they go is given."""
 DIGITS = 6
 """Significant figures of what is given: more than tasks have; what follows from them has one less."""
 
@@ -240,3 +242,9 @@ def given_figure(value: float, language: str) -> str:
     """Return what is given as it is written, to the digits that it was given with."""
     whole = math.isclose(value, float(f"{value:.{DIGITS}g}"), rel_tol=1e-9)
     return number(value, language, DIGITS if whole else DIGITS - 1)
+
+
+def given_figures(row: Sequence[float], language: str) -> float | str:
+    """Return the only figure of a row, or all in their order; of a long row the least and the largest."""
+    between, shown = ("; ", row) if len(row) <= LONG else ("…", (min(row), max(row)))
+    return row[0] if len(row) == 1 else between.join(given_figure(one, language) for one in shown)

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.draft import ROUNDING
 from graphic_tmm.chapters.kinematics.drives import driven
-from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
@@ -18,12 +17,7 @@ from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.narration import remark
 from graphic_tmm.readers.task_sheet import SIZE, Given, given_figure
-from graphic_tmm.scene.quantities import turns_a_minute
 from graphic_tmm.scene.records import Scene
-
-RPM = "rpm"
-_RATES = ("1/s", "m/s", RPM)
-"""Units of rates."""
 
 
 def given(scene: Scene) -> Iterator[Given]:
@@ -39,7 +33,7 @@ def given(scene: Scene) -> Iterator[Given]:
     yield from _directions(mechanism)
     pairs = driven(mechanism, dissect(mechanism))
     for pair in pairs:
-        yield from _of_drive(scene, pair)
+        yield from pair.given(scene.language)
     for pair in pairs[1:]:
         own = pair.sweep
         yield Given(f"{own.letter}_{{{pair.link},0}}", pair.drive.start, "°" if own.turns else SIZE)
@@ -47,22 +41,6 @@ def given(scene: Scene) -> Iterator[Given]:
         yield stroke(scene)
     yield from _masses(mechanism)
     yield Given("positions in a turn", scene.row.count)
-
-
-def _of_drive(scene: Scene, pair: DrivenPair) -> Iterator[Given]:
-    """What a scene gives of a drive; a rate that it lists is given position by position."""
-    drive = pair.drive
-    rates = () if pair.mechanism.at_rest else drive.rates
-    for row in pair.given():
-        some = drive.gains if row.unit.endswith("s²") else rates if row.unit in _RATES else ()
-        if some and row.unit == RPM:
-            turns = [n for n in map(turns_a_minute, some) if n is not None]
-            if len(turns) == len(some):
-                some = tuple(turns)
-            else:
-                row = row._replace(symbol=pair.speed_letter, unit="1/s")
-        listed = "; ".join(given_figure(one, scene.language) for one in some)
-        yield row._replace(value=listed) if some else row
 
 
 def stroke(scene: Scene) -> Given:

@@ -278,7 +278,10 @@ def _refuse_scales(wanted: Scales, drive: Drive) -> None:
     elif wanted.pi_a and (drive.slides or not drive.speed) and not drive.acceleration:
         says, key = said("the drive has no acceleration that long; write mu_a"), "pi_a"
     elif wanted.pa and drive.rates:
-        says, key = said("the speed is listed by positions, no length shows them all; write mu_v"), "pa"
+        says, key = (
+            said("the speed is listed by positions, no length shows them all; write mu_v"),
+            "pa",
+        )
     elif wanted.pi_a and (drive.rates or drive.gains):
         says = said("the acceleration of the drive changes with its position; write mu_a")
         key = "pi_a"

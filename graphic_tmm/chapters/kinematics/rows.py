@@ -24,6 +24,7 @@ from graphic_tmm.chapters.kinematics.motion import Motion, image_letter, reading
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES, Rows
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.scene import letters
@@ -139,8 +140,9 @@ def _pins(ground: Ground, asked: Rows) -> Iterator[Further]:
     draft, motion = ground.draft, ground.velocities
     assert motion is not None
     draft.open(VELOCITIES)
+    pairs = [*ground.structure.pairs, *(p for one in holds(ground.mechanism) for p in one.pins)]
     for letter, size in asked.pins.items():
-        joined = [p for p in ground.structure.pairs if p.kind == "R" and p.name == letter]
+        joined = [p for p in pairs if p.kind == "R" and p.name == letter]
         rates = [[motion.rates[n] for n in pair.links if n in motion.rates] for pair in joined]
         if not any(rates):
             says = said("no links turn against each other in {letter}", letter=letter)
@@ -149,7 +151,7 @@ def _pins(ground: Ground, asked: Rows) -> Iterator[Further]:
         for pair, turning in zip(joined, rates, strict=True):
             if not turning:
                 continue
-            name = f"{letter}{pair.links[0]}{pair.links[1]}"
+            name = "".join((letter, *map(str, sorted(pair.links))))
             op = rubbing if len(turning) == 2 else rubbing_on_fixed
             value = draft.draw(op, f"v_{{{name}}}", radius, *turning, unit="m/s", free=True)
             yield Further(VELOCITIES, f"v{name}", f"v_{{{name}}}", "m/s", value)

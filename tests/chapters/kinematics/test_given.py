@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 
 import pytest
-from support.drives import BOOM, LEVER, rated
+from support.drives import BOOM, LEVER, RACK, SLIDER, rated
 from support.each import each
 from support.gallery import NAMES, SHEETS, paper, scene
 from support.mechanisms import sample
@@ -139,3 +139,25 @@ def test_of_an_arm_without_a_point_of_its_own_no_angle_is_given() -> None:
     )
     assert not [symbol for symbol in of_drive(text) if "4" in symbol]
     assert "l_{BC}" in of_drive(text)
+
+
+@each("text", [BOOM, SLIDER, LEVER, RACK])
+def test_of_a_long_list_it_is_given_from_where_to_where_it_goes(text: str) -> None:
+    many = rated(text).replace("positions = 6", "positions = 9")
+    many = many.replace("speed = [", "speed = [0, 0, 0, ").replace("tion = [", "tion = [0, 0, 0, ")
+    assert {"0…0.6", "−0.4…0.6"} <= {value for value, _ in of_drive(many).values()}
+
+
+@each("text", [BOOM, SLIDER, LEVER, RACK])
+@each("turns", ["counterclockwise", "clockwise"])
+@each("gain", [-0.25, 0.25])
+def test_what_slows_down_is_given_so_in_either_sense(text: str, turns: str, gain: float) -> None:
+    rest = "\n".join(line for line in text.splitlines() if not line.startswith("acceleration ="))
+    unit = "rad" if text == LEVER else "m"
+    drive = f'\nacceleration = "{gain} {unit}/s^2"\nturns = "{turns}"\n'
+    told = of_drive(f"{rest}{drive}")
+    assert [value for value, unit in told.values() if unit.endswith("/s²")] == [gain]
+    listed = f'{rated(text)}turns = "{turns}"\n'
+    assert {"0.1; 0.2; 0.3; 0.4; 0.5; 0.6", "−0.4; −0.2; 0; 0.2; 0.4; 0.6"} <= {
+        value for value, _ in of_drive(listed).values()
+    }

@@ -13,6 +13,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.structure.table import aside_lines, link_rows, structure_lines
 from graphic_tmm.errors import StructureError
 from graphic_tmm.readers.protocol import protocol
+from graphic_tmm.readers.table import columns_of
 from graphic_tmm.scene.read import read
 
 R, BASE, OMEGA = 0.3, 0.75, 2.0 * np.pi
@@ -174,3 +175,15 @@ def test_what_does_not_fit_is_refused_by_how_much_and_where(tmp_path: Path) -> N
     off = TRAMMEL.replace('along = "y" }', 'along = "y", offset = 0.01 }')
     with pytest.raises(StructureError, match=r"is 10 mm, .* so it is 10 mm off; write 0 mm"):
         drawn_of(read(scene_of(tmp_path, off, GUIDES.replace("OFF", "0"))))
+
+
+def test_pins_of_a_passive_link_rub_as_others_do() -> None:
+    """The third crank turns as the first does, on a rod that does not turn: at ω in both of its pins."""
+    frame = "D = [0.75, 0]\nE = [1.5, 0]"
+    text = HEAD.format(frame=frame, links=CRANKS.replace("LONG", "0.3"))
+    drawn = drawn_of(
+        graphic_tmm.read(f'{text}[rows]\npins = {{ E = "10 mm", C = "20 mm" }}\n'), exact=True
+    )
+    told = {column.segment: column.value for column in columns_of(drawn)}
+    np.testing.assert_allclose(told["vE04"], 0.01 * OMEGA, rtol=1e-9)
+    np.testing.assert_allclose(told["vC24"], 0.02 * OMEGA, rtol=1e-9)

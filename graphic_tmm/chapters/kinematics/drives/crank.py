@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.formula import formula
@@ -21,7 +20,6 @@ from graphic_tmm.fitting.choice import Ledger
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.records import TURN, Sweep
-from graphic_tmm.readers.task_sheet import Given, given_speed
 
 
 @formula(why=said("The normal and the tangential acceleration are square to each other."))
@@ -125,6 +123,11 @@ class Crank(DrivenPair):
     def speed_letter(self) -> str:
         """The letter of its speed."""
         return f"ω_{self.link}"
+
+    @property
+    def gain_letter(self) -> str:
+        """The letter of its angular acceleration."""
+        return f"ε_{self.link}"
 
     def turning(self, draft: Draft) -> Mark:
         """Take how fast it turns, without its sign."""
@@ -242,14 +245,10 @@ class Crank(DrivenPair):
         """Write down its angular acceleration without its sign (1/s²)."""
         return ledger.quantity(f"ε_{self.link}", abs(self.epsilon), "1/s²")
 
-    def given(self) -> Iterator[Given]:
-        """Yield its speed, in turns a minute where it was given so, and its acceleration."""
-        if self.mechanism.at_rest:
-            yield Given(f"ω_{self.link}", 0.0, "1/s")
-        else:
-            yield given_speed(str(self.link), self.drive.speed)
-        if self.drive.acceleration:
-            yield Given(f"ε_{self.link}", self.drive.acceleration, "1/s²")
+    @property
+    def unit(self) -> str:
+        """The unit of its speed."""
+        return "1/s"
 
 
 DRIVE = Crank

@@ -8,8 +8,6 @@ pin are the base on which the images of both, rod and cylinder, are similar.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
@@ -19,7 +17,6 @@ from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.records import Sweep
-from graphic_tmm.readers.task_sheet import Given
 
 
 class Cylinder(DrivenPair):
@@ -98,12 +95,6 @@ class Cylinder(DrivenPair):
     def segments(self) -> Sizes[str]:
         """Of the relative velocity and acceleration."""
         return Sizes("", f"[{self.speed_letter}]", f"[{self.gain_letter}]")
-
-    def given(self) -> Iterator[Given]:
-        """Yield the speed of its rod and its acceleration."""
-        yield Given(self.speed_letter, abs(self.drive.speed), "m/s")
-        if self.drive.acceleration:
-            yield Given(self.gain_letter, abs(self.drive.acceleration), "m/s²")
 
 
 DRIVE = Cylinder

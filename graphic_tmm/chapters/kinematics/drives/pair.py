@@ -27,7 +27,8 @@ from graphic_tmm.fitting.choice import Ledger
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.groups import Pair
 from graphic_tmm.mechanism.records import Drive, Mechanism, Sweep
-from graphic_tmm.readers.task_sheet import Given
+from graphic_tmm.readers.task_sheet import Given, given_figures
+from graphic_tmm.scene.quantities import turns_a_minute
 
 _FOLLOW = {
     (True, True): angle_by_angle,
@@ -196,9 +197,24 @@ class DrivenPair(ABC):
             return None
         return ledger.quantity(self.gain_letter, abs(self.drive.acceleration), "m/s²")
 
-    @abstractmethod
-    def given(self) -> Iterator[Given]:
-        """Yield what the scene gives of it."""
+    @property
+    def unit(self) -> str:
+        """The unit of its speed; that of its acceleration is this by s."""
+        return "m/s"
+
+    def given(self, language: str) -> Iterator[Given]:
+        """Yield its speed and its acceleration in its sense; what is listed by positions, as a list."""
+        drive, unit, letter = self.drive, self.unit, self.speed_letter
+        rates = [abs(rate) for rate in (drive.rates if drive.speed else ()) or (drive.speed,)]
+        turns = [turns_a_minute(rate) for rate in rates if drive.speed and unit == "1/s"]
+        known = [turn for turn in turns if turn is not None]
+        if len(known) == len(rates):
+            yield Given(f"n_{self.link}", given_figures(known, language), "rpm")
+        else:
+            yield Given(letter, given_figures(rates, language), unit)
+        if drive.acceleration:
+            gains = [drive.sense * gain for gain in drive.gains or (drive.acceleration,)]
+            yield Given(self.gain_letter, given_figures(gains, language), f"{unit}²")
 
 
 def reach(mechanism: Mechanism, without: Collection[int] = ()) -> float:

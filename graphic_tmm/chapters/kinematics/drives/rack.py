@@ -117,12 +117,15 @@ class Rack(Crank):
         radius = ledger.quantity(f"r_{self.link}", self.radius, "m")
         return ledger.calculated(by_rack, f"ε_{self.link}", gain, radius, unit="1/s²")
 
-    def given(self) -> Iterator[Given]:
+    @property
+    def unit(self) -> str:
+        """The unit of the rack's speed."""
+        return "m/s"
+
+    def given(self, language: str) -> Iterator[Given]:
         """Yield the radius of the wheel, the speed and the acceleration of the rack."""
         yield Given(f"r_{self.link}", self.radius, SIZE)
-        yield Given(self.speed_letter, abs(self.drive.speed), "m/s")
-        if self.drive.acceleration:
-            yield Given(self.gain_letter, abs(self.drive.acceleration), "m/s²")
+        yield from super().given(language)
 
 
 DRIVE = Rack

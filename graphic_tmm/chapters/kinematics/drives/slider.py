@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 import numpy as np
 
 from graphic_tmm.board.draft import ROUNDING, Draft
@@ -26,7 +24,6 @@ from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Sweep
-from graphic_tmm.readers.task_sheet import Given
 
 
 class Slider(DrivenPair):
@@ -146,12 +143,6 @@ class Slider(DrivenPair):
         """Of its velocity and its acceleration: pb, πb."""
         small = image_letter(self.pin)
         return Sizes("", f"p{small}", f"π{small}")
-
-    def given(self) -> Iterator[Given]:
-        """Yield its speed and its acceleration."""
-        yield Given(self.speed_letter, abs(self.drive.speed), "m/s")
-        if self.drive.acceleration:
-            yield Given(self.gain_letter, abs(self.drive.acceleration), "m/s²")
 
 
 DRIVE = Slider
