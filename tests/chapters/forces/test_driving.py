@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from support.boards import drawn_of
 from support.driven_scenes import BOOM, OUT, ROCKER, SLIDER, TORQUE, scene
 
 import graphic_tmm
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.errors import TmmError
 
 WEIGHT = 'mass = "40 kg"\ncentre = "C"\nJ = 0\n'
@@ -83,6 +85,8 @@ def test_two_cranks_do_the_work_of_all_loads_together() -> None:
     made = graphic_tmm.read(text + TORQUE.replace("[1]", '"all"'))
     table = graphic_tmm.draw(made, exact=True).table("forces")
     assert (table["P_bal_difference"].value == 0.0).all()
+    driven = FORCES_PLAN.on(drawn_of(made)).driven
+    assert [one.letter for one in driven] == ["P_{b1}", "P_{b4}"]
     motion = graphic_tmm.motion(graphic_tmm.read(text), [0.0, 90.0, 180.0, 270.0], exact=True)
     power = 10.0 * motion.omega[3]
     power += table["P_bal_forces"].value[0] * 0.1 * 1.0 + table["P_bal_4"].value[0] * 0.08 * 2.0

@@ -15,13 +15,14 @@ from support.oracle import State, solve_fast
 
 from graphic_tmm.board.record import TALLY
 from graphic_tmm.board.values import Point
+from graphic_tmm.chapters.forces.given import given, stated
 from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.load_diagrams import letters, with_opposites
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import ForcesTask, Load
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
-from graphic_tmm.readers.task_sheet import Posed, TaskSheet
+from graphic_tmm.readers.task_sheet import SIZE, Posed, TaskSheet
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read
 
@@ -246,6 +247,28 @@ def test_a_force_and_its_opposite_may_be_told_from_either_end(tmp_path: Path) ->
 def test_a_moment_between_links_has_neither_point_nor_sense(tmp_path: Path, more: str) -> None:
     with pytest.raises(SceneError, match="leave the"):
         read(scene_of(tmp_path, f"[[load]]\nlink = 2\nmoment = 3\nfrom = 3\n{more}"))
+
+
+def test_what_a_task_gives_of_loads_springs_and_friction(tmp_path: Path) -> None:
+    sizes = "[-300, 100, 0, 0, 0, 0, 0, 200]"
+    more = f'[[load]]\nlink = 2\npoint = "D"\nby_position = {sizes}\ndirection = "square to DC"\n'
+    more += '[[spring]]\nbetween = ["A", "C"]\nrate = 2000\nfree = 0.1\ndamping = 30\n'
+    text = scene_of(tmp_path, more, "true").read_text("utf-8")
+    (tmp_path / "scene.toml").write_text(
+        text.replace("passes = 8", 'radii = { C = "8 mm" }'), encoding="utf-8"
+    )
+    scene = read(tmp_path / "scene.toml")
+    told = {one.symbol: (one.value, one.unit) for one in given(scene)}
+    assert told == {
+        "F_{2max}": (-300.0, "N"),
+        "c": (2000.0, "N/m"),
+        "l_0": (0.1, SIZE),
+        "b": (30.0, "N·s/m"),
+        "f": (0.1, ""),
+        "r": (0.005, SIZE),
+        "r_{C}": (0.008, SIZE),
+    }
+    assert any("DC turned by 90° counter-clockwise" in one for one in stated(scene, "en"))
 
 
 def test_both_arrows_of_a_task_sheet(tmp_path: Path) -> None:

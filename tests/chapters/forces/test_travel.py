@@ -190,6 +190,17 @@ def test_a_load_over_two_turns_draws_both(tmp_path: Path) -> None:
     np.testing.assert_allclose(found, moment, rtol=1e-6, atol=1e-7)
 
 
+def test_sizes_by_position_come_again_in_the_second_turn(tmp_path: Path) -> None:
+    each_place = [100.0 * (k - 5) for k in range(16)]
+    load = (
+        '[[load]]\nlink = 5\npoint = "C"\ndirection = "225 deg"\nby_angle = [[0, 0], [720, 1]]\n'
+        f'[[load]]\nlink = 3\npoint = "B"\ndirection = "0 deg"\nby_position = {each_place}\n'
+        '[forces]\npositions = "all"\n'
+    )
+    made = drawn_of(read(written(tmp_path, STARS["v"].text(drive(OMEGA, load)))), exact=True)
+    np.testing.assert_array_equal(sizes(made)[1], each_place * 2)
+
+
 def test_graphs_of_one_turn_take_no_load_over_two(tmp_path: Path) -> None:
     load = (
         '[[load]]\nlink = 5\npoint = "C"\nby_angle = [[0, 0], [720, 1]]\n[forces]\n'

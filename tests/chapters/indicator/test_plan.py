@@ -200,14 +200,17 @@ def test_the_highest_pressure_of_a_task_is_that_of_all_sides(
 
 
 @each("name", ["in-line twin, 360", "v", "opposed", "three in line", "four in line", "radial"])
-@each("phases", [(0, 0, 0, 0), (0, 360, 0, 360), (360, 0, 360, 0)])
+@each(
+    "phases, omega",
+    [((0, 0, 0, 0), OMEGA), ((0, 360, 0, 360), -OMEGA), ((360, 0, 360, 0), OMEGA)],
+)
 def test_four_strokes_fire_by_their_phases(
-    name: str, phases: tuple[int, ...], tmp_path: Path
+    name: str, phases: tuple[int, ...], omega: float, tmp_path: Path
 ) -> None:
     star = STARS[name]
-    made = drawing(tmp_path, scene(star, cylinders(star, FOUR, phases)))
+    made = drawing(tmp_path, scene(star, cylinders(star, FOUR, phases), omega=omega))
     whole, parts = moments(made)
-    wanted = due(star, four_strokes, 2, phases, OMEGA)
+    wanted = due(star, four_strokes, 2, phases, omega)
     for found, one in zip(parts, wanted, strict=True):
         np.testing.assert_allclose(found, one, rtol=1e-6, atol=1e-6)
     np.testing.assert_allclose(whole, sum(wanted), rtol=1e-6, atol=1e-6)
