@@ -91,7 +91,7 @@ def _listed(path: Path, drive: Drive) -> Iterator[Flaw]:
 
 
 def end_faults(drive: Drive) -> Iterator[Flaw]:
-    """A row with one end, with a list of places besides, or that goes against the sense of the drive."""
+    """Yield what is wrong with the ends of a row: one is missing, both are one place, the row begins twice."""
     listed = not isinstance(drive.positions, int)
     ends = {"from": drive.begin, "to": drive.end}
     there = [name for name, value in ends.items() if value is not None]

@@ -196,4 +196,4 @@ def _speed(survey: Survey, slider: Slider, angles: Reals) -> tuple[Reals, comple
     axis_name, way = ("x", 1 + 0j) if abs(along.real) >= abs(along.imag) else ("y", 1j)
     axis = survey.axes[slider.point, axis_name]
     fastest = np.max(np.abs(np.nan_to_num(survey.whole([axis])[1][axis])), initial=0.0)
-    return np.asarray(survey.at(angles[None, :], [axis])[axis])[0] / fastest, way
+    return np.asarray(survey.at(angles[None, :], [axis])[axis])[0] / (fastest or 1.0), way

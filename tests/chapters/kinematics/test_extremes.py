@@ -18,6 +18,7 @@ from support.linkages import four_bar, slider_crank
 from support.mechanisms import Sampled, mechanisms
 from support.rows import apart, places, project_of
 
+import graphic_tmm
 from graphic_tmm.board.values import undefined
 from graphic_tmm.chapters.kinematics.extremes import OPPOSITE
 from graphic_tmm.chapters.kinematics.row import OTHER
@@ -263,3 +264,16 @@ zero = { point = "B", at = "left" }
     assert f"group 2-3 assembles for crank angles {ranges} only" in told
     assert "B does not come to an extreme position at left" in told
     assert "change the lengths, or give zero as an angle there" in told
+
+
+def test_a_piston_that_nothing_moves_is_refused_without_a_warning() -> None:
+    """A crank whose pin is so far off that the rod reaches the piston nowhere: the locomobile, O moved."""
+    text = (SHEETS / "locomobile" / "scene.toml").read_text(encoding="utf-8")
+    far = text.replace(
+        'points = { O = [0, 0], A = ["R", 0] }', 'points = { O = [1e9, 0], A = ["R", 0] }'
+    )
+    assert far != text
+    with pytest.raises(
+        StructureError, match=r"B не приходит|B does not come to an extreme position"
+    ):
+        make(graphic_tmm.read(far))

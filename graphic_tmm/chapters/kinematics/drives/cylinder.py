@@ -37,14 +37,14 @@ class Cylinder(DrivenPair):
     def sweep(self) -> Sweep:
         """From nothing to as far as all other links together reach."""
         most = reach(self.mechanism, without=self._ends)
-        return Sweep("l", "m", 0.0, most, False, self._name)
+        return Sweep("l", "m", 0.0, most, False, f"l_{self._pivot}{self.driven.pin}")
 
     @property
-    def _name(self) -> str:
-        """What its length is called, l_GN, where no other link hangs on the cylinder."""
-        number = self._ends[0]
-        pivots = [k for k in self.mechanism.by_number[number].points if self._joined(k, number)]
-        return f"l_{pivots[0]}{self.driven.pin}" if len(pivots) == 1 else "l"
+    def _pivot(self) -> str:
+        """The only letter by which the cylinder is joined to other links."""
+        number, bodies = self._ends[0], self.mechanism.by_number
+        others = {letter for n, body in bodies.items() if n != number for letter in body.points}
+        return next(letter for letter in bodies[number].points if letter in others)
 
     def ask(self, draft: Draft) -> Mark:
         """Take how far apart both pins are."""
@@ -56,13 +56,7 @@ class Cylinder(DrivenPair):
     def led(self, positions: Positions) -> tuple[Mark, Mark]:
         """Return the pivot of the cylinder, and the pin of the rod."""
         cylinder, rod = (positions.bodies[number] for number in self._ends)
-        pivot = next(k for k in cylinder.marks if self._joined(k, cylinder.link.number))
-        return cylinder.marks[pivot], rod.marks[self.driven.pin]
-
-    def _joined(self, letter: str, number: int) -> bool:
-        """Whether a letter stands on another body too."""
-        bodies = self.mechanism.by_number.values()
-        return any(letter in one.points for one in bodies if one.number != number)
+        return cylinder.marks[self._pivot], rod.marks[self.driven.pin]
 
     def path(self, positions: Positions, uses: Uses) -> Mark:
         """Return the line from the outer pin of both to the inner one."""
