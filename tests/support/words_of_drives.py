@@ -218,6 +218,9 @@ SCENES: Mapping[str, Scene] = {
     ),
     "two cylinders": _scene("rod rod", EXCAVATOR, RODS),
     "two cylinders forces": _scene("rod rod", EXCAVATOR, RODS, BOOM_FORCES),
+    "two cylinders gaining": _scene(
+        "rod rod", EXCAVATOR, RODS.replace(SPEED, SPEED + 'acceleration = "0.3 m/s^2"\n', 1)
+    ),
     "slider": _scene("slider", SLIDER, SLIDES + SPEED),
     "slider gaining": _scene("slider", SLIDER, SLIDES + SPEED + 'acceleration = "0.3 m/s^2"\n'),
     "slider path": _scene("slider", '[plans]\ntrajectories = ["C"]', SLIDER, SLIDES + SPEED),

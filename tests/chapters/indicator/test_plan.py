@@ -145,6 +145,16 @@ def test_every_piston_has_the_pressures_of_its_own_travel(
     np.testing.assert_allclose(whole, sum(wanted), rtol=1e-6, atol=1e-6)
 
 
+def test_a_row_that_begins_at_the_inner_dead_centre_counts_strokes_from_the_cover(
+    tmp_path: Path,
+) -> None:
+    star = STARS["v"]
+    made = drawing(tmp_path, scene(star, cylinders(star, STEPS), zero='"315 deg"'))
+    wanted = due(star, two_strokes, 1, (), OMEGA, 315.0)
+    for found, one in zip(moments(made)[1], wanted, strict=True):
+        np.testing.assert_allclose(found, one, rtol=1e-6, atol=1e-4)
+
+
 def behind(share: np.ndarray, out: np.ndarray, turn: np.ndarray) -> np.ndarray:
     """SHAFT, written down by hand, as a pressure on the other side: with the ring's share of the area."""
     return (1 - (ROD / BORE) ** 2) * np.where(out, 200e3 - 100e3 * share, 500e3 - 200e3 * share)

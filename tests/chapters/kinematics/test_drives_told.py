@@ -64,13 +64,20 @@ def test_a_drive_is_drawn_with_its_own_arrows_and_circles(name: str, tmp_path: P
     going = [] if scene.rests else ways
     assert {way: len(of[way]) for way in WAYS} == {way: going.count(way) for way in WAYS}
     letters = [label.text for view in views for label in view.labels if label.text[0] in "ωεva"]
-    due = [SPEEDS[drive].format(link) for link, drive in scene.driven if not scene.rests]
-    gains = [one.replace("v", "a", 1) for one in due if "gaining" in name]
-    assert len(letters) == len([*due, *gains])
-    assert all(map(re.fullmatch, [*due, *gains], letters)), letters
+    several = len(scene.driven) > 1
+    due = [SPEEDS[drive, several].format(link) for link, drive in scene.driven if not scene.rests]
+    if "gaining" in name:
+        due.insert(1, due[0].replace("v", "a", 1))
+    assert len(letters) == len(due)
+    assert all(map(re.fullmatch, due, letters)), letters
 
 
 WAYS = ("turning", "sliding")
 TURNING = ("crank", "rack")
-SPEEDS = {"crank": "ω_{}", "rack": "ω_{}", "slider": "v_[BC]", "rod": r"v_(r|\{{r{}\}})"}
-"""The arrows of drives by their parts of a drawing; the letter beside each, by its link."""
+SPEEDS = {
+    **{(drive, many): "ω_{}" for drive in TURNING for many in (False, True)},
+    **{("slider", many): "v_[BC]" for many in (False, True)},
+    ("rod", False): "v_r",
+    ("rod", True): r"v_\{{r{}\}}",
+}
+"""The letter beside the arrow of a drive, by its link; where there are several drives, too."""
