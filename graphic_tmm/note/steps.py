@@ -57,6 +57,8 @@ def cut_to(value: float, of: str, due: float, language: str, most: int = 4) -> W
 
     >>> cut_to(0.6183, "", 0.6187, "ru").text, cut_to(97.03, "", 97.05, "en").text
     ('0,618', '97.0')
+    >>> cut_to(math.inf, "N", math.inf, "en")
+    Written(text='—', value=inf)
     >>> cut_to(0.07, "%", 0.0864, "en").text, cut_to(2.149, "J", math.nan, "en").text
     ('0.1', '2.149')
     """
@@ -66,7 +68,7 @@ def cut_to(value: float, of: str, due: float, language: str, most: int = 4) -> W
             if not abs(cut - due) > SLACK * 10.0**-places:
                 break
         return Written(number(cut, language), cut)
-    told = round(value) if abs(value) >= 10.0**most else float(f"{value:.{most}g}")
+    told = round(value) if 10.0**most <= abs(value) < math.inf else float(f"{value:.{most}g}")
     whole = Written(number(value, language, most), told)
     if not (math.isfinite(value) and math.isfinite(due) and value):
         return whole
