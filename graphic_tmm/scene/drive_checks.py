@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import mechanism
 from graphic_tmm.scene.coordinates import Bare, Metres
 from graphic_tmm.scene.declare import Flaw, Path
 from graphic_tmm.scene.mechanism import Drive, Frame, FurtherDrive, Link
-from graphic_tmm.scene.sections import Parts
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
 
 
 def goes_by_length(drive: Drive, parts: Parts) -> bool:

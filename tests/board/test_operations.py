@@ -209,6 +209,15 @@ def _bearing(start: Any, end: Any) -> Bounded:
     return angle, 8 * EPS * abs(angle)
 
 
+def _swung(first: Any, last: Any, start: Any, end: Any, sense: int = 1) -> Bounded:
+    if start == end or first == last:
+        return None
+    angle = sense * mp.degrees(mp.arg((end - start) * mp.conj(last - first)))
+    if abs(abs(angle) - 180) < 1e-9 or abs(angle + 45) < 1e-9:
+        raise _Rounding  # which side of the cut it is on, rounding decides
+    return angle + 360 * (angle < -45), 8 * EPS * (360 + abs(angle))
+
+
 REFERENCES: dict[str, Callable[..., Bounded]] = {
     "join": _through,
     "ray": _ray,
@@ -233,6 +242,7 @@ REFERENCES: dict[str, Callable[..., Bounded]] = {
     "measure": lambda a, b: (abs(b - a), 4 * EPS * abs(b - a)),
     "measure_along": lambda a, b, on: (_dot(b - a, on[1]), 8 * EPS * abs(b - a)),
     "bearing": _bearing,
+    "swung": _swung,
     "stand": lambda regular, extreme, at: (extreme if at > 0 else regular, 0),
 }
 

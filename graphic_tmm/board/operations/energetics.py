@@ -61,6 +61,16 @@ def between(
     """{first} + ({last} − {first})·({travel}/{stroke} − {start})/({end} − {start})"""
 
 
+@formula(
+    fails="the swing has no angle",
+    why=said("Between two known angles what is given changes evenly with the swing."),
+)
+def between_turns(
+    first: Number, last: Number, start: Number, end: Number, swing: Angle, whole: Angle
+) -> Number:
+    """{first} + ({last} − {first})·({swing}/{whole} − {start})/({end} − {start})"""
+
+
 @formula(why=said("A pressure acts on every unit of the area."))
 def gas_force(pressure: Number, area: Number) -> Number:
     """{pressure}·{area}"""

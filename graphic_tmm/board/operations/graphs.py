@@ -29,6 +29,12 @@ def at_zero(of: Point) -> Point:
     return Point(of[:, :1])
 
 
+@operation(kept=True, across=True, why=said("What goes one way goes as far as the row does."))
+def at_end(of: Point, *, row: int) -> Point:
+    """Mark {it} where {of} stands in the last position of the row."""
+    return Point(of[:, row - 1 : row])
+
+
 @operation(
     symbol=FREE, across=True, why=said("Its place between two positions of the row is sought.")
 )

@@ -184,15 +184,18 @@ def _moment(ground: Ground, load: Load, loads: Loads) -> Couple:
 
 def _size(ground: Ground, load: Load, letter: str, unit: str, loads: Loads) -> Mark:
     """Take the size of a load: constant, by position, by angle; or find it by a travel. Note it."""
-    found = _sized(ground, load, letter, unit)
+    if load.travel is not None:
+        count = ground.numbers.size
+        found, of = by_travel(ground.draft, ground, load.travel, count, (letter, unit))
+        loads.travels[found] = of
+    else:
+        found = _sized(ground, load, letter, unit)
     loads.given.append(found)
     return found
 
 
 def _sized(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     draft, intervals = ground.draft, ground.intervals
-    if load.travel is not None:
-        return by_travel(draft, ground, load.travel, ground.numbers.size, (letter, unit))
     value: object = load.size
     if load.by_angle:
         turned = ground.numbers * (TURN / intervals) if ground.steps is None else ground.steps

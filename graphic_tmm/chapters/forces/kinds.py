@@ -176,7 +176,18 @@ BY_ANGLE = Kind(lambda value, names: _pairs(value, names, angle=True), v.PAIRS)
 BY_TRAVEL = Kind(lambda value, names: _pairs(value, names, angle=False), v.PAIRS)
 COEFFICIENT = v.number(Bound(0, 2))
 LIMIT = Kind(_limit, v.bounded(_SHARE, "ratio"), _SHARE, "ratio")
-START = v.AT
+OF = Kind(
+    lambda value, names: (
+        v.LINK_NUMBER.read(value, names) if isinstance(value, int) else v.TEXT.read(value, names)
+    ),
+    {"type": ["integer", "string"]},
+)
+LINE = v.quantity("angle")
+START = v.choice(
+    "left", "right", "top", "bottom", v.CLOCKWISE, v.COUNTERCLOCKWISE,
+    слева="left", справа="right", сверху="top", снизу="bottom",
+    по_часовой_стрелке=v.CLOCKWISE, против_часовой_стрелки=v.COUNTERCLOCKWISE,
+)  # fmt: skip
 LINKS = Kind(_links, {"type": "array", "items": {"type": "integer"}})
 BALANCE = v.choice("force", "moment", сила="force", момент="moment")
 COUPLES = v.choice("moment", "pair", момент="moment", пара="pair")

@@ -1,4 +1,4 @@
-"""Diagrams of the loads that vary over the travel of a slider, over the turn, or by positions."""
+"""Diagrams of the loads that vary over a travel or a swing, over the turn, or by positions."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from graphic_tmm.chapters.forces.given_loads import between, index_of, numbered
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.task import LOADS as PLACE
 from graphic_tmm.chapters.forces.task import TURN, Load, turns_of
+from graphic_tmm.chapters.forces.travel import Traveller
 from graphic_tmm.chapters.forces.words import LOAD
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import POSITIONS
@@ -120,9 +121,10 @@ def pictured(drawn: Drawn) -> Iterator[Pictured]:
             yield Pictured(k, braced(letter), load, size, reach, largest, base, unit)
 
 
-def on_plan(scene: Scene) -> bool:
-    """Tell whether loads by travel stand on the plan of positions: on a sheet that shows both."""
-    return any({PLACE, POSITIONS} <= set(sheet.place) for sheet in scene.sheets)
+def on_plan(scene: Scene, load: Load) -> bool:
+    """Tell whether a load stands on the plan of positions: by the travel of a slider, on a sheet of both."""
+    by_slider = load.travel is not None and load.travel.slides
+    return by_slider and any({PLACE, POSITIONS} <= set(sheet.place) for sheet in scene.sheets)
 
 
 def called(one: Pictured, language: str) -> str:
@@ -133,17 +135,17 @@ def called(one: Pictured, language: str) -> str:
 def _reach(drawn: Drawn, load: Load, size: Mark) -> tuple[float, str]:
     """Return how far the base of a diagram reaches, and the unit of its scale factor."""
     if load.travel is not None:
-        stroke = travelled(drawn, size)[1]
-        return drawn.value(stroke) * mu_l(drawn), "m/mm"
+        of = travelled(drawn, size)
+        stroke = abs(drawn.value(of.stroke))
+        return (stroke, "°/mm") if of.course.link else (stroke * mu_l(drawn), "m/mm")
     if load.by_angle:
         return TURN * turns_of(load.by_angle), "°/mm"
     return float(len(sizes_of(load)) - 1 or 1), ""
 
 
-def travelled(drawn: Drawn, size: Mark) -> tuple[Mark, Mark]:
-    """Return the way from the zero position and the whole stroke (mm) that the size of a load depends on."""
-    *_, way, stroke = next(step.uses for step in drawn.construction.steps if step.it == size)
-    return way, stroke
+def travelled(drawn: Drawn, size: Mark) -> Traveller:
+    """Return what the size of a load goes by."""
+    return FORCES_PLAN.on(drawn).loads.travels[size]
 
 
 def mu_l(drawn: Drawn) -> float:
@@ -255,14 +257,14 @@ def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     language, high = drawn.scene.language, heights(drawn.scene, PLACE)
     views = list[Drawing]()
     for one in pictured(drawn):
-        if one.load.travel is not None and on_plan(drawn.scene):
+        if on_plan(drawn.scene, one.load):
             continue
         letter = called(one, language)
         title = speaking(language)(LOAD, letter=letter)
         along, up = (choices(drawn).scale(one.view, mu) if mu else None for mu in one.scales)
         assert up is not None
         by = along.value if along is not None else standard(one.reach, ACROSS)
-        if one.load.travel is not None:
+        if one.base == "m/mm":
             by, along = mu_l(drawn), drawn.scales[POSITIONS]
         shown = diagram_of(drawn, one, letter)
         view = draw_load(shown, f"load-{one.place + 1}", title, (by, up.value), language, high)
@@ -279,9 +281,10 @@ def diagram_of(drawn: Drawn, one: Pictured, letter: str) -> Diagram:
     there = [k for k in range(drawn.scene.row.count) if k not in drawn.undrawn]
     if load.travel is not None:
         parts = tuple(_strokes(load, one.reach))
-        way = travelled(drawn, one.size)[0]
-        positions = tuple(_positions(drawn, one.size, way, mu_l(drawn), there))
-        axes = f"S, {unit('m', language)}", up
+        of, swings = travelled(drawn, one.size), one.base == "°/mm"
+        mu = 1.0 if swings else mu_l(drawn)
+        positions = tuple(_positions(drawn, one.size, of.way, mu, there))
+        axes = f"ψ_{of.course.link}, °" if swings else f"S, {unit('m', language)}", up
         return Diagram(parts, positions, axes, one.reach, one.largest)
     if load.by_angle:
         line = Part("main", load.by_angle)

@@ -50,10 +50,8 @@ class _Guide:
     """Where a slider goes on the plan: its zero place, the way along and out, the stroke, mm."""
 
     def __init__(self, drawn: Drawn, one: Pictured) -> None:
-        by_mark = {step.it: step for step in drawn.construction.steps}
-        way, stroke = travelled(drawn, one.size)
-        start, last = (by_mark[way].uses[0], by_mark[stroke].uses[1])
-        self.start, end = (complex(drawn.reading[mark][0, 0]) for mark in (start, last))
+        of = travelled(drawn, one.size)
+        self.start, end = (complex(drawn.reading[k][0, 0]) for k in (*of.start, *of.last))
         self.stroke = abs(end - self.start)
         self.along = (end - self.start) / self.stroke
         self.out, self.off = -1j * self.along, 0.0
@@ -94,10 +92,8 @@ def _spots(corners: list[complex]) -> Iterator[complex]:
 
 def loads_along_guides(drawn: Drawn, view: Drawing) -> Iterator[AlongGuide]:
     """Yield the diagrams of loads by travel, each clear of the plan and of those before it."""
-    if not on_plan(drawn.scene):
-        return
     language, high = drawn.scene.language, heights(drawn.scene, POSITIONS)
-    shown = [one for one in pictured(drawn) if one.load.travel is not None]
+    shown = [one for one in pictured(drawn) if on_plan(drawn.scene, one.load)]
     for one in shown:
         letter, guide = called(one, language), _Guide(drawn, one)
         scale = choices(drawn).scale(one.view, one.scales[1])

@@ -11,6 +11,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.task import Spring
+from graphic_tmm.chapters.forces.travel import Traveller
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion
@@ -83,7 +84,8 @@ class Loads:
     """What acts on the links: as kinetostatics takes it, and as it is carried onto the lever.
 
     They differ where an inertia force and couple are replaced by one force. ``given``: the sizes of the loads
-    that the scene gives, in their order; ``springs``: those between links.
+    that the scene gives, in their order; ``travels``: what those of them go by that vary with a travel;
+    ``springs``: those between links.
     """
 
     forces: list[Force] = field(default_factory=list)
@@ -91,6 +93,7 @@ class Loads:
     on_lever: list[Force] = field(default_factory=list)
     couples_on_lever: list[Couple] = field(default_factory=list)
     given: list[Mark] = field(default_factory=list)
+    travels: dict[Mark, Traveller] = field(default_factory=dict)
     springs: list[Sprung] = field(default_factory=list)
 
     @property

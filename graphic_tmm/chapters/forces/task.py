@@ -44,17 +44,25 @@ class Effects:
 
 @dataclass(frozen=True)
 class Travel:
-    """A size by the travel of a point that slides on the frame: shares of the stroke 0 … 1, and sizes.
+    """A size by the travel of a point, or by the swing of a link: shares of the stroke 0 … 1, and sizes.
 
-    ``out`` is the stroke from where the travel begins, ``back`` the other; an empty one has no load. Two at one
-    share are a jump: there the size holds that the motion comes to. It begins at the zero position if the point
-    turns back there, else where the point is farthest from the crank; ``start`` ("left") where that is told.
+    ``of``: the letter of a point that slides on the frame, or of any with ``along`` (degrees from the x axis);
+    or the number of a link. ``out`` is the stroke from where the travel begins, ``back`` the other; an empty
+    one has no load. Two at one share are a jump: there the size holds that the motion comes to. It begins at
+    the zero position if the stroke does, else where the point is farthest from the crank, or behind along its
+    line, or the link farthest clockwise; ``start`` ("left") where that is told.
     """
 
-    of: str
+    of: str | int
     out: tuple[tuple[float, float], ...] = ()
     back: tuple[tuple[float, float], ...] = ()
     start: str = ""
+    along: float | None = None
+
+    @property
+    def slides(self) -> bool:
+        """Whether it is that of a point that slides on the frame."""
+        return isinstance(self.of, str) and self.along is None
 
 
 def _size(said: Said) -> float | tuple[float, ...]:
@@ -65,7 +73,7 @@ def _size(said: Said) -> float | tuple[float, ...]:
 def _travel(said: Said) -> Travel | None:
     if said.of is None:
         return None
-    return Travel(said.of, said.out or (), said.back or (), said.start or "")
+    return Travel(said.of, said.out or (), said.back or (), said.start or "", said.along)
 
 
 def _direction(said: Said) -> float | str | w.Along:
@@ -120,7 +128,20 @@ class Load:
     travel: Travel | None = combined_key(
         _travel,
         None,
-        of=key(v.TEXT, "the letter of the point by whose travel it is told", "D", None),
+        of=key(
+            w.OF,
+            "by whose travel it is told: the letter of a point that slides on the frame, of any other with "
+            "along; or the number of a link, by whose swing",
+            "D",
+            None,
+        ),
+        along=key(
+            w.LINE,
+            "of a point that does not slide on the frame: the line along which its travel is told, an angle "
+            "from the x axis",
+            "90 deg",
+            None,
+        ),
         out=key(
             w.BY_TRAVEL,
             "its size on the stroke from the zero position, by shares of it; two sizes at one share are a "
@@ -137,8 +158,9 @@ class Load:
         ),
         start=key(
             w.START,
-            "at which end of its travel the stroke out begins: left, right, top or bottom; left out: at the "
-            "zero position if the point turns back there, else away from the crank",
+            "at which end of its travel the stroke out begins: left, right, top or bottom, of a link clockwise "
+            "or counterclockwise; left out: at the zero position if it turns back there, else away from the "
+            "crank, of a point with along behind on its line, of a link clockwise",
             "left",
             None,
         ),

@@ -15,7 +15,7 @@ from graphic_tmm.chapters.forces.spring_signs import draw_ink, letter_of, middle
 from graphic_tmm.chapters.forces.springs import ends_of, numbers
 from graphic_tmm.chapters.forces.task import AGAINST, ASKED, Load, Spring, Travel, Unknown
 from graphic_tmm.chapters.forces.tool import letter_of as sought_letter
-from graphic_tmm.chapters.forces.travel import begins_at_zero
+from graphic_tmm.chapters.forces.travel import end_of
 from graphic_tmm.chapters.indicator import given as gas
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -30,6 +30,7 @@ from graphic_tmm.paper.symbols.kinematic import round_arrow
 from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet, given_figure
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.values import CLOCKWISE, COUNTERCLOCKWISE
 
 LONG = 22.0
 """How long the arrow of a force is, mm: it passes the edge of a slider."""
@@ -75,11 +76,22 @@ _SHARE_OUTER = said(
     "{letter} by the travel of point {point}, from its dead centre away from the crank"
 )
 _SHARE_AT = said("{letter} by the travel of point {point}, from its dead centre {at}")
+_LINE = said(
+    "{letter} by the travel of point {point} along the line at {angle}°, from its end {at}"
+)
+_LINE_BACK = said(
+    "{letter} by the travel of point {point} along the line at {angle}°, on the way back"
+)
+_SWING = said("{letter} by the swing of link {point}, from its end {at}")
+_SWING_BACK = said("{letter} by the swing of link {point}, on the way back")
 AT = {
     "left": said("at left", context="dead centre"),
     "right": said("at right", context="dead centre"),
     "top": said("at top", context="dead centre"),
     "bottom": said("at bottom", context="dead centre"),
+    CLOCKWISE: said("clockwise", context="dead centre"),
+    COUNTERCLOCKWISE: said("counterclockwise", context="dead centre"),
+    "": said("in the zero position", context="dead centre"),
 }
 _BACK = said("{letter} by the travel of point {point}, on the way back")
 _ANGLE = said("{letter} by the turn of the crank from the zero position")
@@ -102,11 +114,13 @@ def _by_points(scene: Scene, called: str, load: Load, language: str) -> Iterator
     told = unit("N·m" if load.point is None else "N", language)
     name, row = f"load-{load.link}", f"{markup(called)}, {told}"
     if load.travel is not None:
-        point = load.travel.of
-        for way, says in ((load.travel.out, _begun(scene, load.travel)), (load.travel.back, _BACK)):
+        travel, first = load.travel, _begun(scene, load.travel)
+        at = _(AT[end_of(scene, travel) if not travel.slides else travel.start])
+        angle = given_figure(travel.along or 0.0, language)
+        for way, says in zip((travel.out, travel.back), first, strict=True):
             if way:
-                at = _(AT[load.travel.start]) if load.travel.start else ""
-                title = _(says, letter=markup(called), point=markup(point), at=at)
+                point = markup(str(travel.of))
+                title = _(says, letter=markup(called), point=point, at=at, angle=angle)
                 yield _across(name, title, "s/S", row, way, language)
     elif load.by_angle:
         title = _(_ANGLE, letter=markup(called))
@@ -120,11 +134,15 @@ def _by_points(scene: Scene, called: str, load: Load, language: str) -> Iterator
             yield _across(f"{name}-{k}", "" if k else title, words["position"], row, some, language)
 
 
-def _begun(scene: Scene, travel: Travel) -> str:
-    """Return how to tell from where a travel is counted."""
+def _begun(scene: Scene, travel: Travel) -> tuple[str, str]:
+    """Return how to tell from where a travel is counted, out and back."""
+    if isinstance(travel.of, int):
+        return _SWING, _SWING_BACK
+    if travel.along is not None:
+        return _LINE, _LINE_BACK
     if travel.start:
-        return _SHARE_AT
-    return _SHARE if begins_at_zero(scene, travel.of) else _SHARE_OUTER
+        return _SHARE_AT, _BACK
+    return (_SHARE_OUTER if end_of(scene, travel) else _SHARE), _BACK
 
 
 def _across(

@@ -3,52 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import replace
 
 import numpy as np
 
-from graphic_tmm.board.operations.graphs import at_zero
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.scales import common
-from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.ink_groups import GroupFigure, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
-from graphic_tmm.chapters.forces.load_diagrams import travelled, varies
+from graphic_tmm.chapters.forces.load_diagrams import varies
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.scales import polygon_scales
 from graphic_tmm.chapters.forces.table import balance_segments, force_columns
-from graphic_tmm.chapters.forces.task import ASKED, TURN, Load
-from graphic_tmm.chapters.forces.travel import parts_of_strokes, size_at_turn
+from graphic_tmm.chapters.forces.task import TURN
+from graphic_tmm.chapters.forces.travel import parts_at, size_at_turn
 from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown, told_lengths
 from graphic_tmm.chapters.forces.words import called
-from graphic_tmm.chapters.kinematics.dead_centres import Slider, goes_out
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning, TurnQuantity
 from graphic_tmm.scene.captions import captions
-from graphic_tmm.scene.records import Scene
-from graphic_tmm.scene.values import OTHER_EXTREME
-
-
-def free(scene: Scene) -> Scene:
-    """Return the scene with both ends of a travel from the zero position among its positions."""
-    order, zero, extra = ASKED.of(scene), scene.row.zero, scene.row.extra
-    points = [load.travel.of for load in order.loads if load.travel] if order else []
-    if not isinstance(zero, Extreme) or zero.point not in points or OTHER_EXTREME in extra:
-        return scene
-    return replace(scene, row=replace(scene.row, extra=(*extra, OTHER_EXTREME)))
 
 
 def quantities(project: Project) -> Iterator[TurnQuantity]:
@@ -78,47 +60,20 @@ def between(drawn: Drawn, turn: Turn) -> Between:
         if not varies(load):
             continue
         if load.travel is not None:
-            found |= _by_travel(drawn, turn, load, size)
+            of = made.loads.travels[size]
+            phi = KINEMATICS_PLAN.on(drawn).positions.row[0]
+            reading = turn.read([of.way, of.stroke, phi])
+            shares = reading[of.way][0] / reading[of.stroke][0, 0]
+            from_, to, first, last = parts_at(load.travel, of, shares, reading[phi][0])
+            step = drawn.construction.step(size)
+            assert step is not None
+            parts = (one[None, :] for one in (first, last, from_, to))
+            found |= dict(zip(step.uses[:4], parts, strict=True))
         elif load.by_angle:
             found[size] = size_at_turn(load.by_angle, degrees)[None, :]
         elif isinstance(load.size, tuple):
             found[size] = np.interp(at, np.arange(in_turn), load.size, period=in_turn)[None, :]
     return found
-
-
-def _by_travel(drawn: Drawn, turn: Turn, load: Load, size: Mark) -> dict[Mark, object]:
-    """Return the part of its diagram on which a load stands at every angle.
-
-    Raises
-    ------
-    StructureError
-        If the travel is counted from a zero position that is no extreme position of its point: its stroke would
-        be that of the positions drawn.
-    """
-    travel, scene = load.travel, drawn.scene
-    assert travel is not None
-    way, stroke = travelled(drawn, size)
-    by_mark, plans = {s.it: s for s in drawn.construction.steps}, KINEMATICS_PLAN.on(drawn)
-    start, last = by_mark[way].uses[0], by_mark[stroke].uses[1]
-    zero = scene.row.zero
-    if by_mark[start].op is at_zero and not (isinstance(zero, Extreme) and zero.point == travel.of):
-        says = said(
-            "a load by the travel of {point} is known at any angle where the row begins at an extreme position "
-            'of that point: zero = {{ point = "{point}", at = "left" }}',
-            point=travel.of,
-        )
-        raise scene.located(StructureError(says, "drive.zero", head="load"))
-    given, phi = by_mark[size].uses[:4], plans.positions.row[0]
-    reading = turn.read([way, stroke, phi])
-    shares = reading[way][0] / reading[stroke][0, 0]
-    out, back = parts_of_strokes(travel, shares)
-    ends = (complex(drawn.numbers.drawn[mark][0, 0]) for mark in (start, last))
-    leg = sliding_leg(plans.positions, travel.of, plans.mechanism.frame.number, "load", "of")
-    begins, turns_back = ends
-    slider = Slider(leg, travel.of, 1.0)
-    going = goes_out(plans.tried, slider, reading[phi][0], turns_back - begins)
-    from_, to, first, last_ = np.where(going, out, back)
-    return dict(zip(given, (one[None, :] for one in (first, last_, from_, to)), strict=True))
 
 
 def moving(drawn: Drawn) -> Iterator[Moving]:
@@ -196,5 +151,5 @@ def _group(
     return at
 
 
-TURNING = Turning(between=between, told=quantities, free=free)
+TURNING = Turning(between=between, told=quantities)
 FIGURES = MovingFigures(moving)

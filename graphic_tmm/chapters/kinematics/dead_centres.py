@@ -7,17 +7,17 @@ at it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.locus import drawn_once_more
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions
+from graphic_tmm.chapters.kinematics.courses import Course, redrawn
 from graphic_tmm.chapters.kinematics.extremes import (
     draw_refined,
     slider_end,
@@ -25,11 +25,8 @@ from graphic_tmm.chapters.kinematics.extremes import (
 )
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
-from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme
 
-STANDS = 1e-6
-"""What goes slower than this share of its fastest stands."""
 ASIDE = 1.0
 """So many degrees off a dead centre a slider has left it."""
 LEVEL = 1e-9
@@ -51,11 +48,13 @@ class DeadCentres(NamedTuple):
     inner: Mark
 
 
-def slider_of(draft: Draft, positions: Positions, leg: GuideLeg, letter: str) -> Slider:
-    """Return a slider by its leg and the letter of its point."""
+def slider_of(
+    given: Mapping[Mark, object], positions: Positions, leg: GuideLeg, letter: str
+) -> Slider:
+    """Return a slider by its leg and the letter of its point; ``given``: what is given on its board."""
     closing = next(c for c in positions.closings if leg in c.legs)
     side = positions.sides.get(closing.group.name)
-    outward = 1.0 if side is None else float(np.ravel(np.asarray(draft.given[side]))[0])
+    outward = 1.0 if side is None else float(np.ravel(np.asarray(given[side]))[0])
     return Slider(leg, letter, outward)
 
 
@@ -111,13 +110,6 @@ def extreme_at(survey: Survey, slider: Slider, choice: int) -> Extreme:
 WAYS = {"left": -1 + 0j, "right": 1 + 0j, "bottom": -1j, "top": 1j}
 
 
-def dead_centre_at(survey: Survey, slider: Slider, at: str) -> int:
-    """Return which dead centre lies "left" (or so) of the other: 1 away from the crank, −1, 0 if neither."""
-    out = slider.outward * _direction(survey, slider)
-    ahead = (out * WAYS[at].conjugate()).real
-    return 0 if abs(ahead) < LEVEL else 1 if ahead > 0.0 else -1
-
-
 def turned_at(survey: Survey, slider: Slider, choice: int) -> float:
     """Return the crank's angle, degrees, at a dead centre."""
     return try_extreme(survey, extreme_at(survey, slider, choice)).angle
@@ -138,39 +130,17 @@ def _own_leg(survey: Survey, slider: Slider) -> GuideLeg:
 def _tried(
     draft: Draft, survey: Survey, slider: Slider, choice: int, named: tuple[str, str]
 ) -> Mark:
-    name, role = named
     extreme = extreme_at(survey, slider, choice)
-    angle = draw_refined(draft, survey, extreme, try_extreme(survey, extreme), name)
-    step = drawn_once_more(
-        _Place(survey, survey.positions.point(slider.point)),
-        said(
-            "At the crank angle {angle} draw the mechanism once more, thinly; mark {it}, where {point} stands.",
-            angle="{angle}",
-            point=slider.point,
-            it="{it}",
-        ),
+    angle = draw_refined(draft, survey, extreme, try_extreme(survey, extreme), named[0])
+    return redrawn(
+        draft, survey, survey.positions.point(slider.point), angle, (slider.point, *named)
     )
-    return draft.draw(step, name, angle, draft.mu_l, role=role)
-
-
-@dataclass(frozen=True, eq=False)
-class _Place:
-    """Where a point stands at a row of crank angles (degrees), m."""
-
-    survey: Survey
-    mark: Mark
-
-    def __call__(self, row: Reals) -> Complexes:
-        return np.asarray(self.survey.at(row, [self.mark])[self.mark])
 
 
 def goes_out(survey: Survey, slider: Slider, angles: Reals, way: complex) -> np.ndarray:
-    """Tell at which crank angles (degrees) a slider goes the way, by the sign of its velocity.
-
-    Where it stands, at a dead centre, it counts as having gone that way.
-    """
-    speed, way_ = _speed(survey, slider, angles)
-    return np.asarray(speed * np.sign((way * np.conj(way_)).real) >= -STANDS)
+    """Tell at which crank angles (degrees) a slider goes the way, by the sign of its velocity."""
+    course = course_of(survey, slider)
+    return course.goes(angles, float((way * course.way.conjugate()).real))
 
 
 def goes_inward(survey: Survey, slider: Slider, angles: Reals) -> np.ndarray:
@@ -187,13 +157,9 @@ def dead_centre(survey: Survey, slider: Slider, angle: float) -> int:
 
 def stands(survey: Survey, slider: Slider, angles: Reals) -> np.ndarray:
     """Tell at which crank angles (degrees) a slider stands."""
-    return np.asarray(np.abs(_speed(survey, slider, angles)[0]) <= STANDS)
+    return course_of(survey, slider).stands(angles)
 
 
-def _speed(survey: Survey, slider: Slider, angles: Reals) -> tuple[Reals, complex]:
-    """Return how fast a slider goes, as a share of its fastest, and along which axis that is measured."""
-    along = _direction(survey, slider)
-    axis_name, way = ("x", 1 + 0j) if abs(along.real) >= abs(along.imag) else ("y", 1j)
-    axis = survey.axes[slider.point, axis_name]
-    fastest = np.max(np.abs(np.nan_to_num(survey.whole([axis])[1][axis])), initial=0.0)
-    return np.asarray(survey.at(angles[None, :], [axis])[axis])[0] / (fastest or 1.0), way
+def course_of(survey: Survey, slider: Slider) -> Course:
+    """Return the course of a slider along its guide, off the crank."""
+    return Course(survey, (slider.point,), slider.outward * _direction(survey, slider))

@@ -7,13 +7,14 @@ board: the crank's angle at which the image of the point lies square to the aske
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.execute import execute
+from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.operations.formulas import difference, total
 from graphic_tmm.board.operations.instruments import bearing, cross, cut, strike, touch
 from graphic_tmm.board.operations.locus import refinement
@@ -38,6 +39,9 @@ STILL = 1e-9
 """A point that travels less than this share of its distance from the crank's pivot stands still."""
 _WAY = {"left": ("x", -1), "right": ("x", 1), "bottom": ("y", -1), "top": ("y", 1)}
 OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top"}
+
+Speed = Callable[[Reals], Reals]
+"""How fast something goes at coordinates of the drive (trial, position)."""
 
 
 class Tried(NamedTuple):
@@ -89,13 +93,9 @@ def try_extreme(survey: Survey, extreme: Extreme) -> Tried:
             head="zero",
         )
     mark = survey.positions.point(extreme.point)
-    closed = [
-        root for closing in survey.positions.closings for root in (closing.root, closing.point)
-    ]
-    angles, reading = survey.whole([mark, *closed])
+    angles, reading, there = over_whole(survey, [mark])
     place = reading[mark][0].real if name == "x" else reading[mark][0].imag
-    for root in closed:
-        place = np.where(undefined(reading[root])[0], np.nan, place)
+    place = np.where(there, place, np.nan)
     if not np.isfinite(place).any():
         raise StructureError(
             said("{point} cannot be drawn at any crank angle", point=extreme.point),
@@ -114,9 +114,8 @@ def try_extreme(survey: Survey, extreme: Extreme) -> Tried:
             head="zero",
         )
     best = int(np.nanargmax(way * place))
-    low, high = _bracket(survey, axis, float(angles[0, best]))
-    tried = refinement(_Velocity(survey, axis), "").run(np.array([[low]]), np.array([[high]]))
-    angle = float(tried[0, 0])
+    tried = turning_back(survey, _Velocity(survey, axis), float(angles[0, best]))
+    angle = tried.angle
     if not np.isfinite(angle) and not np.isfinite(place).all():
         raise StructureError(
             said(
@@ -141,16 +140,33 @@ def try_extreme(survey: Survey, extreme: Extreme) -> Tried:
             "drive.zero",
             head="zero",
         )
-    return Tried(float(low), float(high), angle)
+    return tried
 
 
-def _bracket(survey: Survey, axis: Mark, best: float) -> tuple[float, float]:
+def over_whole(survey: Survey, marks: list[Mark]) -> tuple[Reals, Reading, np.ndarray]:
+    """Read marks over the whole sweep: its coordinates (1, n), the reading, where all groups can be drawn."""
+    closed = [
+        root for closing in survey.positions.closings for root in (closing.root, closing.point)
+    ]
+    row, reading = survey.whole([*marks, *closed])
+    gone = [undefined(reading[root])[0] for root in closed]
+    return row, reading, ~np.logical_or.reduce(np.broadcast_arrays(np.zeros(row.size, bool), *gone))
+
+
+def turning_back(survey: Survey, speed: Speed, best: float) -> Tried:
+    """Find by trying where a speed passes 0 beside a coordinate; NaN where it does not."""
+    low, high = _bracket(survey, speed, best)
+    tried = refinement(speed, "").run(np.array([[low]]), np.array([[high]]))
+    return Tried(float(low), float(high), float(tried[0, 0]))
+
+
+def _bracket(survey: Survey, speed: Speed, best: float) -> tuple[float, float]:
     """Return two crank angles about ``best`` with velocities of opposite senses; NaN if there are none.
 
     At the end of the crank's range the point stops for want of room, not because it stands still.
     """
     row = best + np.array([[-1.0, 0.0, 1.0]]) * survey.step
-    value = _Velocity(survey, axis)(row)[0]
+    value = speed(row)[0]
     for low, high in ((0, 2), (0, 1), (1, 2)):
         if value[low] * value[high] <= 0.0:  # not so of NaN
             return float(row[0, low]), float(row[0, high])
@@ -172,17 +188,20 @@ def draw_refined(draft: Draft, survey: Survey, extreme: Extreme, tried: Tried, t
     """Record how the crank's angle at an extreme position is looked for; return its mark (degrees)."""
     name, _ = _WAY[extreme.at]
     axis = survey.axes[extreme.point, name]
-    step = refinement(
-        _Velocity(survey, axis),
-        said(
-            "Try crank angles between {low} and {high}, each time narrowing to where the image of {point} "
-            "passes the pole; this is {it}.",
-            point=extreme.point,
-            low="{low}",
-            high="{high}",
-            it="{it}",
-        ),
+    sentence = said(
+        "Try crank angles between {low} and {high}, each time narrowing to where the image of {point} "
+        "passes the pole; this is {it}.",
+        point=extreme.point,
+        low="{low}",
+        high="{high}",
+        it="{it}",
     )
+    return refined(draft, _Velocity(survey, axis), sentence, tried, tag)
+
+
+def refined(draft: Draft, speed: Speed, sentence: str, tried: Tried, tag: str) -> Mark:
+    """Record that a coordinate is looked for between those that were tried; return its mark (degrees)."""
+    step = refinement(speed, sentence)
     low, high = draft.direction(tried.low), draft.direction(tried.high)
     return draft.draw(step, f"φ_{{{tag}}}", low, high, unit="°", why=why.STANDS_STILL)
 

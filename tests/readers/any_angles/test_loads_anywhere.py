@@ -12,7 +12,6 @@ from support.gallery import SHEETS
 import graphic_tmm
 from graphic_tmm.chapters.forces.table import force_columns
 from graphic_tmm.chapters.forces.task import ASKED, ForcesTask, Friction, Load, Travel
-from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.readers.any_angles.results import Motion
 from graphic_tmm.scene.read import read
@@ -51,12 +50,14 @@ def test_a_load_by_the_angle_and_by_the_position(way: str) -> None:
         np.testing.assert_allclose(size_of(found, way), due, rtol=1e-6, atol=1e-9)
 
 
-def test_a_load_by_the_travel_turns_where_the_piston_does() -> None:
+@pytest.mark.parametrize("zero", [Extreme("B", "right"), 23.0])
+def test_a_load_by_the_travel_turns_where_the_piston_does(zero: Extreme | float) -> None:
     """Off the crank's axis the stroke out takes more than half a turn, and no position drawn is its end."""
     scene = read(SHEETS / "offset-slider")
     assert scene.mechanism is not None
-    row = replace(scene.row, zero=Extreme("B", "right"), count=7, extra=())
-    travel = Travel("B", out=((0.0, 10.0), (1.0, 20.0)), back=((0.0, 5.0), (1.0, 1.0)))
+    row = replace(scene.row, zero=zero, count=7, extra=())
+    out, back = ((0.0, 10.0), (1.0, 20.0)), ((0.0, 5.0), (1.0, 1.0))
+    travel = Travel("B", out, back)
     scene = loaded(replace(scene, row=row), Load(3, "B", 0.0, 0.0, travel=travel))
     angles = np.linspace(0.0, 360.0, 3601)
     found = at(scene, angles)
@@ -68,15 +69,6 @@ def test_a_load_by_the_travel_turns_where_the_piston_does() -> None:
     power = found.balance["P_bal_lever"] * crank.speed * arm + due * v
     clear = (share > 1e-6) & (share < 1.0 - 1e-6)
     assert np.abs(power[clear]).max() <= 1e-5 * np.abs(due * v).max()
-
-
-def test_a_travel_that_does_not_begin_the_row_is_refused() -> None:
-    travel = Travel("B", out=((0.0, 10.0), (1.0, 20.0)))
-    scene = replace(ENGINE, row=replace(ENGINE.row, zero=0.0))
-    with pytest.raises(
-        (SceneError, StructureError), match="begins at an extreme position of that point"
-    ):
-        at(loaded(scene, Load(3, "B", travel=travel)), 0.0)
 
 
 def compared(scene: Scene) -> int:
