@@ -116,6 +116,23 @@ def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, fl
     return tuple(found)
 
 
+def _by_time(value: object, names: Names) -> tuple[tuple[float, float], ...]:
+    example = '[[0, "0 N"], ["0.05 s", "190 N"]]'
+    if not isinstance(value, list) or len(value) < 2:
+        remedy = said("write points of the table, {example}", example=example)
+        raise ValueError(stands(value, remedy))
+    found = []
+    for item in value:
+        if not isinstance(item, list) or len(item) != 2:
+            remedy = said("a point is a list of two, {example}", example=example)
+            raise ValueError(fault_in_list(item, remedy))
+        found.append((quantities.parse(item[0], "time"), _size(item[1], names)))
+    v.follow([at for at, _ in found])
+    if found[0][0] < 0.0:
+        raise ValueError(said("times are counted from the zero position on"))
+    return tuple(found)
+
+
 def _limit(value: object, names: Names) -> float:
     found = quantities.parse(value, "ratio") * 100 if isinstance(value, str) else value
     if not _SHARE.holds(found):
@@ -173,6 +190,7 @@ MOMENT = Kind(
 DIRECTION = Kind(_direction, {"type": ["number", "string"]}, unit="angle")
 SIZES = Kind(_sizes, v.ROW, unit="force")
 BY_ANGLE = Kind(lambda value, names: _pairs(value, names, angle=True), v.PAIRS)
+BY_TIME = Kind(lambda value, names: _by_time(value, names), v.PAIRS)
 BY_TRAVEL = Kind(lambda value, names: _pairs(value, names, angle=False), v.PAIRS)
 COEFFICIENT = v.number(Bound(0, 2))
 LIMIT = Kind(_limit, v.bounded(_SHARE, "ratio"), _SHARE, "ratio")

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import task
@@ -12,12 +13,13 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Flaw, Path, Said
 from graphic_tmm.scene.drive_checks import goes_by_length
+from graphic_tmm.scene.mechanism import Drive
 from graphic_tmm.scene.references import Outline, arm_only, no_link, no_moving, of_link
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
-TOLD = ("force", "moment", "by_position", "by_angle", "of")
+TOLD = ("force", "moment", "by_position", "by_angle", "by_time", "of")
 
 
 def loads(told: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
@@ -31,6 +33,8 @@ def loads(told: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
                 "what drives slides and has no angle: write by_position, or of and out for a travel"
             )
             yield Flaw((*path, "by_angle"), says)
+        if load.by_time is not None and parts.drive is not None:
+            yield from _timed((*path, "by_time"), load.by_time, parts.drive, strokes=strokes)
         for other in ONE_TURN:
             if other in parts.doc and task.turns_of(load.by_angle or ()) > 1:
                 says = said(
@@ -38,6 +42,25 @@ def loads(told: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
                     other=other,
                 )
                 yield Flaw((*path, "by_angle"), says)
+
+
+def _timed(
+    path: Path, points: Sequence[tuple[float, float]], drive: Drive, *, strokes: bool
+) -> Iterator[Flaw]:
+    """Say what is wrong with sizes by time: only a crank that turns evenly tells where it is then."""
+    speed = drive.speed
+    if strokes or isinstance(speed, tuple) or not speed or drive.acceleration:
+        says = said(
+            "sizes by time want a crank that turns at one speed, not 0 and without acceleration; write "
+            "by_position"
+        )
+        yield Flaw(path, says)
+    elif points[-1][0] * speed > 2.0 * math.pi * (1.0 + 1e-12):
+        says = said(
+            "a turn takes {time:.6g} s, and the table goes on; end it there, or write by_angle",
+            time=2.0 * math.pi / speed,
+        )
+        yield Flaw(path, says)
 
 
 def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator[Flaw]:

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from graphic_tmm.chapters.forces import kinds as w
 from graphic_tmm.chapters.indicator.task import IndicatorTask
-from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.records import Drive, Mechanism
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import OtherSections, Said, combined_key, key
 from graphic_tmm.scene.quantities import kept
@@ -125,6 +126,17 @@ class Load:
             None,
         ),
     )
+    by_time: tuple[tuple[float, float], ...] = combined_key(
+        lambda said: said.by_time or (),
+        (),
+        by_time=key(
+            w.BY_TIME,
+            "its size by the time from the zero position on, within a turn of a crank that turns evenly; two "
+            "sizes at one time are a jump, the second holds there",
+            [[0, "0 N"], ["0.05 s", "190 N"]],
+            None,
+        ),
+    )
     travel: Travel | None = combined_key(
         _travel,
         None,
@@ -179,6 +191,14 @@ class Load:
         None,
         written="from_point",
     )
+
+
+def timed(load: Load, drive: Drive) -> Load:
+    """Return a load with sizes by time at the turns of the crank, φ = ω·t, free of the last bits."""
+    if not load.by_time:
+        return load
+    rate = math.degrees(abs(drive.speed))
+    return replace(load, by_angle=tuple((round(t * rate, 9), size) for t, size in load.by_time))
 
 
 def turns_of(points: tuple[tuple[float, float], ...]) -> int:
@@ -318,7 +338,7 @@ def joined(others: OtherSections) -> Mapping[str, object]:
     effects, rubbed, mechanism = others["effects"], others["friction"], others.mechanism
     assert mechanism is not None
     return {
-        "loads": others["load"] or (),
+        "loads": tuple(timed(load, mechanism.drive) for load in others["load"] or ()),
         "springs": others["spring"] or (),
         "gravity": effects.gravity,
         "inertia": effects.inertia,

@@ -95,6 +95,7 @@ AT = {
 }
 _BACK = said("{letter} by the travel of point {point}, on the way back")
 _ANGLE = said("{letter} by the turn of the crank from the zero position")
+_TIME = said("{letter} by the time from the zero position")
 _PLACES = said("{letter} by positions")
 
 
@@ -122,6 +123,9 @@ def _by_points(scene: Scene, called: str, load: Load, language: str) -> Iterator
                 point = markup(str(travel.of))
                 title = _(says, letter=markup(called), point=point, at=at, angle=angle)
                 yield _across(name, title, "s/S", row, way, language)
+    elif load.by_time:
+        title = _(_TIME, letter=markup(called))
+        yield _across(name, title, f"t, {unit('s', language)}", row, load.by_time, language)
     elif load.by_angle:
         title = _(_ANGLE, letter=markup(called))
         yield _across(name, title, "φ, °", row, load.by_angle, language)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import random
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -240,6 +240,39 @@ def test_a_stroke_that_goes_one_way_is_that_of_its_row(way: int, keys: str, tmp_
         wanted = np.interp(1.0 - share, *BACK)
     (mark,) = FORCES_PLAN.on(made).loads.given
     np.testing.assert_allclose(made.reading[mark][0], wanted, rtol=1e-8)
+
+
+def test_a_load_by_time_is_that_at_the_turns_of_an_even_crank(tmp_path: Path) -> None:
+    of = four_bar(3)
+    load = (
+        '[[load]]\nlink = 3\nby_time = [[0, "5 N*m"], ["0.05 s", "90 N*m"], ["120 ms", "20 N*m"]]\n'
+    )
+    scene = read(written(tmp_path, of.text(load)))
+    made = drawn_of(scene, exact=True)
+    (mark,) = FORCES_PLAN.on(made).loads.given
+    whole = 2.0 * math.pi / abs(of.omega)
+    passed = np.arange(16) * whole / 16
+    wanted = np.interp(passed, [0.0, 0.05, 0.12, whole], [5.0, 90.0, 20.0, 5.0])
+    np.testing.assert_allclose(made.reading[mark][0], wanted, rtol=1e-8)
+    moment = FORCES_PLAN.on(made).balance
+    phi = np.radians(17.0 + 22.5 * np.arange(16) * np.sign(of.omega))
+    needed = -wanted * np.radians(_rate(of.swing, phi))
+    np.testing.assert_allclose(made.reading[moment][0], needed, rtol=1e-5, atol=1e-6)
+
+
+UNTIMED = {
+    'speed = "40.0 1/s"': ('speed = "40.0 1/s"\nacceleration = "3 rad/s2"', "at one speed, not 0"),
+    'speed = "40.0 1/s"\n': ("speed = 0\n", "at one speed, not 0"),
+    '"0.05 s"': ('"0.2 s"', "a turn takes 0.15708 s, and the table goes on"),
+}
+
+
+@each("told", UNTIMED)
+def test_time_wants_an_even_crank(told: str, tmp_path: Path) -> None:
+    of = replace(four_bar(3), omega=40.0)
+    text = of.text('[[load]]\nlink = 3\nby_time = [[0, "5 N*m"], ["0.05 s", "90 N*m"]]\n')
+    with pytest.raises(SceneError, match=UNTIMED[told][1]):
+        read(written(tmp_path, text.replace(told, UNTIMED[told][0])))
 
 
 def test_its_diagram_stands_over_the_angle(tmp_path: Path) -> None:
