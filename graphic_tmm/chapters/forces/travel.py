@@ -137,7 +137,7 @@ def _traveller(draft: Draft, ground: Drawing, travel: Travel, count: int) -> Tra
     def read(named: str, to: tuple[Mark, ...], reason: str) -> Mark:
         if course.link is not None:
             marks, named = (*start, *to), named.replace("s", "ψ", 1)
-            return draft.draw(swung, named, *marks, unit="°", sense=-begin, why=reason)
+            return draft.draw(swung, named, *marks, unit="°", sense=-begin)
         if line is not None:
             return draft.draw(measure_along, named, start[0], to[0], line, why=reason)
         return draft.draw(measure, named, start[0], to[0], why=reason)
