@@ -12,14 +12,15 @@ from support.each import each
 from support.examples import most
 
 from graphic_tmm.errors import SheetError
-from graphic_tmm.paper import labels
+from graphic_tmm.paper import labels, title_block
 from graphic_tmm.paper.drawing import Drawing, Label, Stroke
 from graphic_tmm.paper.formats import FORMATS, size_of
 from graphic_tmm.paper.lettering import letters
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.sheet_frame import FIELDS, drawing_area, frame
-from graphic_tmm.paper.title_block import BLOCKS, FORM_1, FORM_2, FORM_2A, Block
+from graphic_tmm.paper.title_block import FORM_1, FORM_2, FORM_2A, Block
 
+BLOCKS = [one for one in vars(title_block).values() if isinstance(one, Block)]
 FILLED = {
     "designation": "ТММ 12.04.00.000",
     "name": "Динамический анализ рычажного механизма",
