@@ -21,10 +21,12 @@ from support.examples import most
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.operations import instruments
+from graphic_tmm.board.operations.supports import swung
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 
 DIGITS = 50
 BASIC_OPERATIONS = [op for op in OPERATIONS.values() if op.run.__module__ == instruments.__name__]
+BASIC_OPERATIONS.append(swung)
 Bounded = tuple[Any, Any] | None
 """The true value and how far a float may be from it, part by part; None where there is none."""
 

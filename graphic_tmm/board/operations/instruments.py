@@ -389,17 +389,6 @@ def bearing(start: Point, end: Point) -> Angle:
     return Angle(degrees(end - start))
 
 
-_BEFORE = 45.0
-"""The protractor is laid on so that it reads so many degrees before its beginning."""
-
-
-@operation(symbol=ANGLE, fails=_NO_LINE, why=said("The angle between both lines tells the swing."))
-def swung(first: Point, last: Point, start: Point, end: Point, *, sense: int) -> Angle:
-    """With the protractor measure {it}, by which {start}{end} is turned from {first}{last}."""
-    turned = sense * degrees((end - start) * np.conj(last - first))
-    return Angle(np.where(turned < -_BEFORE, turned + 360.0, turned))
-
-
 @operation(
     kept=True,
     why=said(

@@ -1,16 +1,31 @@
-"""Figures as a whole: the farthest of points, lines that support them, the area that a curve encloses."""
+"""Figures as a whole: the farthest of points, how far a line has swung, supporting lines, an area enclosed."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.board.geometry import along, cis, wedge
-from graphic_tmm.board.grammar import SUPPORT, WHOLE_ROW, operation
+from graphic_tmm.board.geometry import along, cis, degrees, wedge
+from graphic_tmm.board.grammar import ANGLE, SUPPORT, WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import stationary
 from graphic_tmm.board.values import Angle, Complexes, Curve, Line, Number, Point, Reals
 from graphic_tmm.language.said import said
 
 _ON = ("from above", "from below")
+
+
+_BEFORE = 45.0
+"""The protractor is laid on so that it reads so many degrees before its beginning."""
+
+
+@operation(
+    symbol=ANGLE,
+    fails="the two points coincide",
+    why=said("The angle between both lines tells the swing."),
+)
+def swung(first: Point, last: Point, start: Point, end: Point, *, sense: int) -> Angle:
+    """With the protractor measure {it}, by which {start}{end} is turned from {first}{last}."""
+    turned = sense * degrees((end - start) * np.conj(last - first))
+    return Angle(np.where(turned < -_BEFORE, turned + 360.0, turned))
 
 
 @operation(

@@ -19,8 +19,8 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.operations.energetics import between, between_turns
 from graphic_tmm.board.operations.graphs import at_end, at_zero
-from graphic_tmm.board.operations.instruments import measure, measure_along, ray, swung
-from graphic_tmm.board.operations.supports import farthest
+from graphic_tmm.board.operations.instruments import measure, measure_along, ray
+from graphic_tmm.board.operations.supports import farthest, swung
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.diagrams.plan import sliding_leg

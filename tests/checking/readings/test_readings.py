@@ -37,8 +37,11 @@ PAIR = [
 SIGNS = st.characters(
     blacklist_categories=("Cc", "Cs", "Zl", "Zp", "Zs"), blacklist_characters="\ufeff"
 )
+DITTO = {'"', "''", "〃", "//"}
 WORDS = st.lists(st.text(SIGNS, min_size=1, max_size=6), min_size=1, max_size=3)
-NAMES = WORDS.map(" ".join).filter(lambda name: name == " ".join(name.split()))
+NAMES = WORDS.map(" ".join).filter(
+    lambda name: name == " ".join(name.split()) and name not in DITTO
+)
 NUMBERS = st.floats(-1e12, 1e12)
 UNITS = NAMES.filter(lambda unit: unit not in ("1", "-", "–", "—"))
 
