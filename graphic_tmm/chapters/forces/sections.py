@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import task
 from graphic_tmm.chapters.forces.kinds import AGAINST, Along, ends_on
-from graphic_tmm.chapters.forces.load_faults import bears, loads, turning
+from graphic_tmm.chapters.forces.sections_loads import bears, loads, turning
 from graphic_tmm.chapters.indicator.task import ONE_TURN
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import letters
