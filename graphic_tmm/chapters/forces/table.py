@@ -10,6 +10,7 @@ import numpy as np
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.detached import Reaction
+from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.friction import pin_sentences
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.task import FORCES
@@ -105,6 +106,13 @@ def balance_segments(made: Forces) -> dict[str, Mark]:
     return {f"{sign}{end}": mark for end, mark in zip(BALANCES, marks, strict=True)}
 
 
+def further_segments(made: Forces) -> dict[str, Driven]:
+    """Return the drives after the first, by the names of the columns of what balances them."""
+    return {
+        f"{'P' if one.couple is None else 'M'}_bal_{one.pair.link}": one for one in made.driven[1:]
+    }
+
+
 def _balance(made: Forces) -> list[_Row]:
     sign, unit = ("P", "N") if made.order.balance == "force" else ("M", "N·m")
     named = balance_segments(made).items()
@@ -117,9 +125,8 @@ def _balance(made: Forces) -> list[_Row]:
     rows += [
         _Row(f"{sign}_{DIFFERENCE}", DIFFERENCE, "%", made.difference),
     ]
-    for one in made.driven[1:]:
-        symbol, own = ("M", "N·m") if one.couple is not None else ("P", "N")
-        rows.append(_Row(f"{symbol}_bal_{one.pair.link}", one.letter, own, one.balance))
+    for name, one in further_segments(made).items():
+        rows.append(_Row(name, one.letter, "N" if one.couple is None else "N·m", one.balance))
     if made.open is not None and made.efficiency is not None:
         rows.append(_Row(f"{sign}_bal_open", "bal_open", unit, made.open))
         rows.append(_Row("efficiency", "η", "%", made.efficiency))

@@ -15,7 +15,7 @@ from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
 from graphic_tmm.chapters.forces.load_diagrams import varies
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.scales import polygon_scales
-from graphic_tmm.chapters.forces.table import balance_segments, force_columns
+from graphic_tmm.chapters.forces.table import balance_segments, force_columns, further_segments
 from graphic_tmm.chapters.forces.task import TURN
 from graphic_tmm.chapters.forces.travel import parts_at, size_at_turn
 from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown, told_lengths
@@ -34,14 +34,15 @@ from graphic_tmm.scene.captions import captions
 
 
 def quantities(project: Project) -> Iterator[TurnQuantity]:
-    """Yield the reactions as vectors, N, then the balancing force or moment by groups and by the lever."""
+    """Yield the reactions as vectors, N; what balances the drives, the first by groups and by the lever."""
     made = FORCES_PLAN.on(project)
     # passes of friction that do not settle leave no force known
     known = made.balance if made.open is not None else None
     for one in made.reactions:
         key, mu = segment_name(one.letter), project.scale(one.tail.view)
         yield TurnQuantity("forces", "forces", key, one.head, mu, one.tail, known=known)
-    for name, mark in balance_segments(made).items():
+    further = {name: one.balance for name, one in further_segments(made).items()}
+    for name, mark in {**balance_segments(made), **further}.items():
         yield TurnQuantity("forces", "balance", name, mark, known=known)
 
 

@@ -92,6 +92,11 @@ def test_two_cranks_do_the_work_of_all_loads_together() -> None:
     power += table["P_bal_forces"].value[0] * 0.1 * 1.0 + table["P_bal_4"].value[0] * 0.08 * 2.0
     np.testing.assert_allclose(power, 0.0, atol=1e-9 * np.abs(10.0 * motion.omega[3]).max())
     np.testing.assert_allclose(table["P_bal_lever"].value, table["P_bal_forces"].value, rtol=1e-9)
+    balance = graphic_tmm.motion(
+        made, [0.0, 90.0, 180.0, 270.0], plans=["forces"], exact=True
+    ).balance
+    for name in ("P_bal_forces", "P_bal_lever", "P_bal_4"):
+        np.testing.assert_allclose(balance[name], table[name].value[0], rtol=1e-9)
 
 
 def test_a_moment_balances_only_what_turns() -> None:
