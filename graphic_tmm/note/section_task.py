@@ -101,7 +101,7 @@ def _conditions(made: DrawnScene, language: str) -> Iterator[Block]:
     ]
     if told:
         yield paragraph(speaking(language)(BESIDES))
-        yield Listed(tuple(Item("", (paragraph(one),)) for one in told))
+        yield Listed(tuple(Item("", (paragraph(one),)) for one in dict.fromkeys(told)))
     yield from map(paragraph, made.scene.author.task)
 
 

@@ -89,8 +89,7 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
             at = load.opposite_at or ""
             yield _(says, letter=told, link=load.link, other=other, point=at)
     yield from _springs(scene, order.springs, language)
-    if "flywheel" not in scene.tasks:  # it tells of its cylinders itself
-        yield from cylinders(order.gas, language)
+    yield from cylinders(order.gas, language)
     if order.unknown is not None:
         yield _sought(order.unknown, language)
     if order.gravity and order.inertia:

@@ -96,8 +96,18 @@ def _sizes(value: object, names: Names) -> tuple[float, ...]:
     return tuple(_size(item, names) for item in value)
 
 
-def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, float], ...]:
-    example = '[[0, "0 N"], ["90 deg", "190 N"]]' if angle else '[[0, "0 N"], [1, "190 N"]]'
+_AT: Mapping[str, tuple[str, Callable[[object], float]]] = {
+    "share": ("1", v.within),
+    "angle": ('"90 deg"', lambda value: quantities.parse(value, "angle")),
+    "time": ('"0.05 s"', lambda value: quantities.parse(value, "time")),
+}
+"""By what sizes are given: an example of it, what reads it."""
+
+
+def _pairs(value: object, names: Names, by: str) -> tuple[tuple[float, float], ...]:
+    """Return points of a table: a share of the travel, an angle or a time, and the size there."""
+    last, read = _AT[by]
+    example = f'[[0, "0 N"], [{last}, "190 N"]]'
     if not isinstance(value, list) or len(value) < 2:
         remedy = said("write points of the table, {example}", example=example)
         raise ValueError(stands(value, remedy))
@@ -106,29 +116,13 @@ def _pairs(value: object, names: Names, *, angle: bool) -> tuple[tuple[float, fl
         if not isinstance(item, list) or len(item) != 2:
             remedy = said("a point is a list of two, {example}", example=example)
             raise ValueError(fault_in_list(item, remedy))
-        at = quantities.parse(item[0], "angle") if angle else v.within(item[0])
-        found.append((at, _size(item[1], names)))
+        found.append((read(item[0]), _size(item[1], names)))
     v.follow([at for at, _ in found])
-    if angle and not (found[0][0] >= 0 and found[-1][0] <= 720):
+    if by == "angle" and not (found[0][0] >= 0 and found[-1][0] <= 720):
         raise ValueError(
             said("the angles go from 0 to 360°, from the zero position on, of two turns to 720°")
         )
-    return tuple(found)
-
-
-def _by_time(value: object, names: Names) -> tuple[tuple[float, float], ...]:
-    example = '[[0, "0 N"], ["0.05 s", "190 N"]]'
-    if not isinstance(value, list) or len(value) < 2:
-        remedy = said("write points of the table, {example}", example=example)
-        raise ValueError(stands(value, remedy))
-    found = []
-    for item in value:
-        if not isinstance(item, list) or len(item) != 2:
-            remedy = said("a point is a list of two, {example}", example=example)
-            raise ValueError(fault_in_list(item, remedy))
-        found.append((quantities.parse(item[0], "time"), _size(item[1], names)))
-    v.follow([at for at, _ in found])
-    if found[0][0] < 0.0:
+    if by == "time" and found[0][0] < 0.0:
         raise ValueError(said("times are counted from the zero position on"))
     return tuple(found)
 
@@ -189,9 +183,9 @@ MOMENT = Kind(
 )
 DIRECTION = Kind(_direction, {"type": ["number", "string"]}, unit="angle")
 SIZES = Kind(_sizes, v.ROW, unit="force")
-BY_ANGLE = Kind(lambda value, names: _pairs(value, names, angle=True), v.PAIRS)
-BY_TIME = Kind(lambda value, names: _by_time(value, names), v.PAIRS)
-BY_TRAVEL = Kind(lambda value, names: _pairs(value, names, angle=False), v.PAIRS)
+BY_ANGLE = Kind(lambda value, names: _pairs(value, names, "angle"), v.PAIRS)
+BY_TIME = Kind(lambda value, names: _pairs(value, names, "time"), v.PAIRS)
+BY_TRAVEL = Kind(lambda value, names: _pairs(value, names, "share"), v.PAIRS)
 COEFFICIENT = v.number(Bound(0, 2))
 LIMIT = Kind(_limit, v.bounded(_SHARE, "ratio"), _SHARE, "ratio")
 OF = Kind(

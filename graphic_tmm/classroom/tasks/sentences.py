@@ -109,11 +109,12 @@ def _asks(name: str, scene: Scene) -> Iterable[str]:
 
 
 def conditions(scene: Scene) -> Iterator[str]:
-    """Yield what the scene states besides (mark-up), but for what is asked anyway."""
-    asked = {one for order in scene.sheets for name in order.place for one in _asks(name, scene)}
+    """Yield what the scene states besides (mark-up), nothing twice, but for what is asked anyway."""
+    told = {one for order in scene.sheets for name in order.place for one in _asks(name, scene)}
     for chapter in chapters():
         for one in TaskSheet.of(chapter).stated(scene, scene.language):
-            if one not in asked:
+            if one not in told:
+                told.add(one)
                 yield indexed(one)
     yield from map(indexed, scene.author.task)
 

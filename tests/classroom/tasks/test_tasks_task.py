@@ -16,9 +16,13 @@ from support.gallery import ALL, SHEETS, made
 from support.set_tasks import languages_of, sheets
 
 from graphic_tmm.classroom.batch.work import done
+from graphic_tmm.classroom.tasks.sentences import conditions
 from graphic_tmm.classroom.tasks.work import works
 from graphic_tmm.classroom.variants.variant import base
+from graphic_tmm.face.reading import read as read_text
+from graphic_tmm.note.section_task import task
 from graphic_tmm.readers.table import table
+from graphic_tmm.studio import make
 
 SVG = "{http://www.w3.org/2000/svg}"
 MECHANISMS = [
@@ -306,3 +310,12 @@ def inside(svg: str) -> list[bool]:
         for stroke in view.strokes
         for z in (stroke.start, stroke.end)
     ]
+
+
+def test_what_two_sections_state_of_a_cylinder_is_said_once() -> None:
+    """Forces and flywheel both have the gas of a V engine; its second cylinder fires a turn later."""
+    text = (SHEETS / "v-engine" / "scene.toml").read_text("utf-8")
+    more = "[effects]\ngas = true\n[forces]\npositions = [3]\n[flywheel]\n"
+    scene = read_text(text.replace("[flywheel]\n", more))
+    assert sum("360°" in one for one in conditions(scene)) == 1
+    assert repr([*task(make(scene), "ru")]).count("на 360° позже") == 1
