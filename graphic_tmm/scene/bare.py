@@ -46,7 +46,8 @@ def taken(value: object, dimension: str) -> Iterator[Said]:
     """Yield, a line each, how a value of a dimension was understood where it leaves that open."""
     if dimension == "mass" and isinstance(value, str) and (weight := _weight(value)):
         yield weight
-    numbers = [number for number in _numbers(value) if number]
+    known = dimension == "angle" or dimension in _USUAL  # a number of a link may have any length
+    numbers = [number for number in _numbers(value) if number] if known else []
     if not numbers:
         return
     if dimension == "angle":

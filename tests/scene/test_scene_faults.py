@@ -390,9 +390,12 @@ def test_any_wrong_value_gives_faults_in_words(name, data):
         assert build.scene(parts, "").mechanism.links
 
 
-def test_a_link_number_of_any_size_is_looked_up(tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("number", "says"), [(10**30, f"no link {10**30}"), (10**400, "no link of so large a number")]
+)
+def test_a_link_number_of_any_size_is_looked_up(tmp_path: Path, number: int, says: str) -> None:
     text = (SHEETS / "engine" / "scene.toml").read_text(encoding="utf-8")
     path = tmp_path / "scene.toml"
-    path.write_text(text.replace('on = "frame"', f"on = {10**30}"), encoding="utf-8")
-    with pytest.raises(SceneError, match=f"there is no link {10**30}"):
+    path.write_text(text.replace('on = "frame"', f"on = {number}"), encoding="utf-8")
+    with pytest.raises(SceneError, match=f"there is {says}"):
         read(path)
