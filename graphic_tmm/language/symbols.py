@@ -31,7 +31,7 @@ _C, _S = said("c", context="index: cover side"), said("s", context="index: shaft
 _MEAN = said("mean", context="index")
 _ZH = said("Zh", context="index: Zhukovsky")
 _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
-    (r"([PM])_\{bl\}", r"\1_{%s}^{%s}", (_B, _ZH)),
+    (r"([PM])_\{bl(\d*)\}", r"\1_{%s\2}^{%s}", (_B, _ZH)),
     (r"μ_\{vl\}", "μ_{v}^{%s}", (_ZH,)),
     (r"([PM])_\{b(\d+)\}", r"\1_{%s\2}", (_B,)),
     (r"([PM])_(?:b|\{b\})(?![a-z\d])", r"\1_{%s}", (_B,)),

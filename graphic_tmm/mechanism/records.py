@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 
@@ -197,6 +197,17 @@ class Mechanism:
     def drives(self) -> tuple[Drive, ...]:
         """The drives; the positions are those of the first."""
         return (self.drive, *self.further)
+
+    def driven_by(self, drive: Drive) -> Mechanism:
+        """Return the same driven by one of its drives alone and evenly: it comes first, the others are held."""
+        alone, *held = (
+            replace(one, speed=speed, acceleration=0.0, rates=(), gains=())
+            for one, speed in (
+                (drive, drive.speed),
+                *((one, 0.0) for one in self.drives if one != drive),
+            )
+        )
+        return replace(self, drive=alone, further=tuple(held))
 
     @cached_property
     def pins(self) -> frozenset[str]:

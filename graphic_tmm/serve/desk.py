@@ -232,7 +232,7 @@ STEP = 10
 POLL = 300
 """How often files are looked at where the system does not tell, ms."""
 AGAIN = 2.0
-"""After a folder could not be watched, or has gone, it is tried again, s."""
+"""After so long files are looked at again though no change was told, a folder that was not watched too, s."""
 
 
 async def watch(desk: Desk) -> None:
@@ -258,6 +258,9 @@ async def _watched(desk: Desk, folders: frozenset[Path]) -> None:
         poll_delay_ms=POLL,
         recursive=False,
         ignore_permission_denied=True,
+        # what changes between a look and the next watch is told by nobody
+        rust_timeout=round(1000 * AGAIN),
+        yield_on_timeout=True,
     ):
         desk.look_all()
         if desk.folder.watched() != folders:

@@ -264,7 +264,7 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
             "flywheel",
             head="flywheel",
         )
-    moments = forces.lever.moments
+    moments = forces.first.lever.moments
     found = [one.value for load in forces.loads.outer for one in moments if one.load == load]
     if not found:
         raise StructureError(
@@ -280,7 +280,7 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
     drives, clockwise = constant == "resisting", machine.mechanism.drive.speed < 0
     formula = moment_of_drive if drives != clockwise else moment_of_resistance
     because = why.CLOCKWISE[drives] if clockwise else ""
-    used = total, machine.arm, forces.lever.segment
+    used = total, machine.arm, forces.first.lever.segment
     return draft.draw(formula, "M_r", *used, unit="N·m", why=because)
 
 

@@ -55,7 +55,7 @@ def _by_passes(scene: Scene, passes: tuple[int, ...] = PASSES) -> Iterator[tuple
 def _kept(project: Project) -> tuple[Mark, ...]:
     """Return how many times the lever is larger than the plan, and to what scale groups are drawn."""
     made = FORCES_PLAN.on(project)
-    return (made.lever.times, *(figure.mu for figure in made.figures))
+    return (*(one.lever.times for one in made.balanced), *(figure.mu for figure in made.figures))
 
 
 def _whole(scene: Scene) -> Scene:

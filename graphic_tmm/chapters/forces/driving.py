@@ -15,7 +15,7 @@ from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
 from graphic_tmm.chapters.forces.statics import Slope, Solved, reaction_of
-from graphic_tmm.chapters.kinematics.bodies import PinLeg, Positions
+from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -38,7 +38,7 @@ class Alone(NamedTuple):
 
 
 class Driven(NamedTuple):
-    """A drive as solved: the balancing force (N) or moment (N·m), its letter, what carries it onto the lever.
+    """A drive as solved: the balancing force (N) or moment (N·m), its letter, what it is on its link.
 
     ``alone``: of a link that stands by itself; None of a rod, whose force is read off its group's polygon.
     """
@@ -46,21 +46,15 @@ class Driven(NamedTuple):
     pair: DrivenPair
     letter: str
     balance: Mark
-    carried: tuple[Force, ...]
+    force: Force | None
     couple: Couple | None
     alone: Alone | None
-
-    @property
-    def force(self) -> Force | None:
-        """The balancing force as it is drawn on its link; None for a moment."""
-        return self.carried[0] if self.carried and self.alone is not None else None
 
 
 class Place(NamedTuple):
     """Where drives are balanced: the plan of positions, the frame, which kind; friction along guides.
 
-    ``driven``: the links of all drives; the lever balances the first, and what balances the others is carried
-    onto it.
+    ``driven``: the links of all drives.
     """
 
     draft: Draft
@@ -113,7 +107,7 @@ def solve_crank(place: Place, figure: Detached, pair: DrivenPair, acting: Acting
     of = Solution((number,), place.tried)
     polygon = Polygon(of, chain.mu, (*chain.sides, (name, end, start)))
     alone = Alone(polygon, reaction, figure, total, arm, pivot)
-    return Driven(pair, letter, balance, (force,) if force else (), couple, alone)
+    return Driven(pair, letter, balance, force, couple, alone)
 
 
 def solve_slider(place: Place, figure: Detached, pair: DrivenPair, acting: Acting) -> Driven:
@@ -149,7 +143,8 @@ def solve_slider(place: Place, figure: Detached, pair: DrivenPair, acting: Actin
     )
     polygon = Polygon(of, chain.mu, (*chain.sides, (letter, end, top), (name, top, start)))
     alone = Alone(polygon, reaction, figure, total, None, pin)
-    return Driven(pair, letter, balance, (Force(letter, number, pin, line, balance),), None, alone)
+    force = Force(letter, number, pin, line, balance)
+    return Driven(pair, letter, balance, force, None, alone)
 
 
 def read_rod(place: Place, pair: DrivenPair, groups: Iterable[Solved]) -> Driven:
@@ -163,25 +158,7 @@ def read_rod(place: Place, pair: DrivenPair, groups: Iterable[Solved]) -> Driven
     along = draft.draw(parallel, f"({letter})", tail, leg, sense=1, why=why.ROD_FORCE)
     length = draft.draw(measure_along, f"y_{{{letter}}}", tail, head, along, why=why.ROD_FORCE)
     balance = draft.draw(in_si, letter, length, unit="N")
-    carried: tuple[Force, ...] = ()
-    if pair.link != place.driven[0]:
-        carried = _pushes(place, solved, pair, letter, balance)
-    return Driven(pair, letter, balance, carried, None, None)
-
-
-def _pushes(
-    place: Place, solved: Solved, pair: DrivenPair, letter: str, balance: Mark
-) -> tuple[Force, Force]:
-    """Return the force that drives a rod out, at its pin, and its opposite on the cylinder at its own."""
-    rod, cylinder = pair.pair.links
-    (pivot, pin), draft = pair.led(place.positions), place.draft
-    leg = next(one for one in solved.closing.legs if one.link == cylinder)
-    back = draft.draw(reversed_, f"−{letter}", balance, unit="N")
-    values = (back, balance) if isinstance(leg, PinLeg) and leg.turned else (balance, back)
-    return (
-        Force(letter, rod, pin, leg.line, values[0]),
-        Force(f"−{letter}", cylinder, pivot, leg.line, values[1]),
-    )
+    return Driven(pair, letter, balance, None, None, None)
 
 
 def _refuse_moment(place: Place, pair: DrivenPair) -> None:

@@ -19,24 +19,28 @@ from graphic_tmm.readers.findings import Warned
 
 
 def balanced(project: Project, doubts: Doubts) -> dict[int, np.ndarray]:
-    """Return, by the slot of their difference, where both methods find that nothing balances the crank.
+    """Return, by the slot of their difference, where both methods find that nothing balances a drive.
 
     There is nothing to compare then.
     """
     made = FORCES_PLAN.on(project)
-    none = doubts.nothing(made.lever.balance)
-    if made.tool is None:
-        none = none & doubts.nothing(made.balance)
-    return {made.difference.slot: np.broadcast_to(none, (1, len(project.names)))}
+    found = {}
+    for one in made.balanced:
+        none = doubts.nothing(one.lever.balance)
+        if made.tool is None:
+            none = none & doubts.nothing(one.balance)
+        found[one.difference.slot] = np.broadcast_to(none, (1, len(project.names)))
+    return found
 
 
 def ruled(project: Project, given: Mapping[Mark, object], hand: Hand) -> dict[int, Doubts]:
     """Return what the ruler leaves of the difference of the two methods: its digits follow from readings."""
     if hand.ruler is None:
         return {}
-    difference = FORCES_PLAN.on(project).difference
-    steps = needed(project.construction, [difference])
-    return {difference.slot: Doubts(steps, given, ruler=hand.ruler)}
+    return {
+        mark.slot: Doubts(needed(project.construction, [mark]), given, ruler=hand.ruler)
+        for mark in (one.difference for one in FORCES_PLAN.on(project).balanced)
+    }
 
 
 def compared(drawn: Drawn, one: Finding, places: set[int]) -> Finding:
@@ -44,15 +48,15 @@ def compared(drawn: Drawn, one: Finding, places: set[int]) -> Finding:
     made, doubts = FORCES_PLAN.on(drawn), drawn.doubts
     if one.step.it.view not in made.views:
         return one
-    difference = made.difference
-    (none,) = balanced(drawn.project, doubts).values()
-    nothing = set(np.flatnonzero(none[0]).tolist())
-    if one.kind == "undrawn" and one.step.it == difference:
-        # of what is lost there is nothing to compare either: that it is lost is told
-        lost = [doubts.lost[use.slot] for use in one.step.uses if use.slot in doubts.lost]
-        places -= nothing.union(*(np.flatnonzero(mask[0]).tolist() for mask in lost))
-    if one.kind == "lost" and places <= nothing:
-        return one._replace(marks=tuple(mark for mark in one.marks if mark != difference))
+    by_slot = balanced(drawn.project, doubts)
+    for difference in (other.difference for other in made.balanced):
+        nothing = set(np.flatnonzero(by_slot[difference.slot][0]).tolist())
+        if one.kind == "undrawn" and one.step.it == difference:
+            # of what is lost there is nothing to compare either: that it is lost is told
+            lost = [doubts.lost[use.slot] for use in one.step.uses if use.slot in doubts.lost]
+            places -= nothing.union(*(np.flatnonzero(mask[0]).tolist() for mask in lost))
+        if one.kind == "lost" and places <= nothing:
+            one = one._replace(marks=tuple(mark for mark in one.marks if mark != difference))
     return one
 
 

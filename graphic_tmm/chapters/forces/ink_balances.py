@@ -14,9 +14,10 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.ink_equations import Row
-from graphic_tmm.chapters.forces.lever import Converted
+from graphic_tmm.chapters.forces.lever import Converted, Lever
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.statics import Solved, summed_links
+from graphic_tmm.chapters.forces.tool import Tool
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
@@ -239,7 +240,7 @@ def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
         of_rod = driven.letter, length, driven.balance
         yield _measured(writer, of_rod, solved.polygon, pulls)
     shown = {one.balance for one in rods}
-    for force in (one for one in made.lever.forces if one.value not in shown):
+    for force in (one for one in made.first.lever.forces if one.value not in shown):
         step = writer.seen.by_mark.get(force.value)  # friction along guides, read off the polygon
         if step and step.op is in_si and step.uses[0].view == solved.polygon.view:
             yield _along(writer, force.value, solved.polygon)
@@ -289,16 +290,15 @@ def driver_rows(writer: Writer, made: Forces, driven: Driven) -> Iterator[Row]:
     yield _read(writer, alone.reaction, alone.polygon)
 
 
-def lever_rows(writer: Writer, made: Forces) -> Iterator[Row]:
-    """Yield the couples as they are converted, ΣM about the pole, and what balances the lever."""
-    lever = made.lever
+def lever_rows(writer: Writer, lever: Lever, tool: Tool | None) -> Iterator[Row]:
+    """Yield the couples as they are converted, ΣM about the pole, and what balances a lever."""
     for force in lever.forces:
         step = writer.seen.by_mark.get(force.value)
         if step and step.op is tangential:  # of a pair that stands for a couple
             yield _formula(writer, force.value, "N")
     for one in lever.couples:
         yield _converted(writer, one)
-    sought, tool = Sought("P_{bl}", lever.force, lever.segment, 1, "N"), made.tool
+    sought = Sought(lever.force.name, lever.force, lever.segment, 1, "N")
     if tool is not None:
         turns = writer.sense(tool.arm)
         sought = Sought(tool.force.letter, tool.force.value, tool.arm, turns, "N")

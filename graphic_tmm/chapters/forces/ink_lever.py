@@ -26,7 +26,7 @@ from graphic_tmm.chapters.forces.ink_arrows import (
     turning,
 )
 from graphic_tmm.chapters.forces.ink_polygons import bar
-from graphic_tmm.chapters.forces.lever import VIEW, Carried, Lever
+from graphic_tmm.chapters.forces.lever import Carried, Lever
 from graphic_tmm.chapters.forces.tool import Tool
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
@@ -38,8 +38,6 @@ from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import pole
 
-BALANCE = "P_{bl}"
-"""The letter of what balances the lever at the crank pin."""
 TOGETHER = 1.0
 """Arms whose feet are nearer than this, mm, lie on one another, and share a letter."""
 
@@ -56,7 +54,7 @@ def draw_lever_ink(
 
     ``decimals``: to how many the ruler tells a length. Not ``helping``: without what is rubbed out.
     """
-    seen = on.seen((VIEW,), [index])
+    seen = on.seen((lever.pole.view,), [index])
     carried = (*lever.forces, *([tool.carried] if tool else []))
     lines = {force.line for force in carried}
     rules = {carry.name: _ray, parallel.name: drawn_on, square.name: drawn_on, arm.name: drawn_arm}
@@ -74,7 +72,7 @@ def draw_lever_ink(
     way = seen.point(lever.pin, index) - seen.point(lever.pole, index)
     if tool is None and abs(way) >= LEAST:  # it acts square to the segment of the crank pin
         of, at = (lever.pin.slot, lever.force.slot), 1j * way / abs(way)
-        ink.force(BALANCE, lever.pin, at, lever.force, of, lever.segment, "rod")
+        ink.force(lever.force.name, lever.pin, at, lever.force, of, lever.segment, "rod")
     ink.couples()
     sides = _sides(seen, lever, index)
     strokes = (*traces.staying, *sides, *ink.arrows.strokes)

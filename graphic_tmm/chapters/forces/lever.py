@@ -31,6 +31,7 @@ from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.kinematics.bodies import PinLeg, Positions, legs_of
+from graphic_tmm.chapters.kinematics.by_drive import ByDrive
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion, pivot_image
@@ -64,7 +65,7 @@ class Converted(NamedTuple):
 
 
 class Lever(NamedTuple):
-    """The lever as drawn: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
+    """The lever of a drive: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
 
     ``balance``: N at the crank pin, or N·m; ``moments``: of all loads, ``total``: their sum (N·mm), ``force``:
     what at the crank pin balances it (N); ``segment``: of the crank pin, as read (Length).
@@ -85,7 +86,7 @@ class Lever(NamedTuple):
 
 
 class _Plan:
-    """The lever while it is drawn."""
+    """The lever while it is drawn; ``quarters``: right angles that its plan lacks to be a turned one."""
 
     def __init__(self, draft: Draft, velocities: Motion, quarters: int) -> None:
         self.draft, self.velocities, self.quarters = draft, velocities, quarters
@@ -172,41 +173,41 @@ class _Base(NamedTuple):
 def draw_lever(
     draft: Draft,
     positions: Positions,
-    velocities: Motion,
-    pairs: Sequence[DrivenPair],
+    by: ByDrive,
     loads: tuple[list[Force], list[Couple]],
     *,
-    quarters: int,
-    sense: int,
+    turned: bool,
     couples: str,
     moment: bool,
 ) -> Lever:
-    """Draw the lever and find what balances it where the first of the ``pairs`` drives.
+    """Draw the lever of a drive and find what balances it there.
 
-    ``quarters``: right angles that the velocity plan lacks to be a turned one; ``sense``: of the first drive;
-    ``moment``: a balancing moment of the crank is wanted, not a force.
+    ``loads``: their images lie on the plan of that drive, which is drawn ``turned``, or direct; ``moment``: a
+    balancing moment of the crank is wanted, not a force.
     """
-    draft.open(VIEW)
-    plan = _Plan(draft, velocities, quarters)
+    (pairs, velocities), pair = by, by.pairs[0]
+    sense, several = pair.drive.sense, len(pairs) > 1
+    draft.open(f"{VIEW} {pair.link}" if several else VIEW)
+    plan = _Plan(draft, velocities, 0 if turned else -sense)
     mu = draft.draw(per_times, "μ_{vl}", velocities.mu, plan.times, unit="(m/s)/mm")
     draft.lay_out(plan.pole, mu)
-    forces, turned = loads
-    start, end = (plan.image(image) for image in velocities.driven[pairs[0].link])
+    forces, acting = loads
+    start, end = (plan.image(image) for image in velocities.driven[pair.link])
     for force in forces:
         assert force.image is not None
         plan.carry_force(force.letter, force.image, force.line, force.value, force.value)
-    for couple in turned:
+    for couple in acting:
         base = _base(draft, positions, velocities, pairs, couple.link, sense)
         if base is not None:
             plan.carry_couple(couple, base, couples)
     for number in positions.bodies:
         for image in velocities.images.by_letter[number].values():
             plan.image(image)
-    crank = _crank(pairs[0])
+    crank = _crank(pair)
     because = why.LEVER_ARM_OF_CRANK if crank else why.LEVER_ARM_OF_SLIDE
     segment = draft.draw(measure, between(start, end.letter), start, end, why=because)
     arm = crank.real_arm(draft, positions) if crank and moment else None
-    balance = _balance(draft, plan, segment, arm)
+    balance = _balance(draft, plan, segment, arm, str(pair.link) if several else "")
     images = {
         number: tuple(
             plan.known[image]
@@ -227,7 +228,7 @@ class _Balance(NamedTuple):
     asked: Mark
 
 
-def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> _Balance:
+def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None, index: str) -> _Balance:
     total: Mark | None = None
     for found in (one.value for one in plan.moments):
         total = (
@@ -239,10 +240,12 @@ def _balance(draft: Draft, plan: _Plan, segment: Mark, arm: Mark | None) -> _Bal
         )
     if total is None:
         total = draft.take(Number, "ΣM", 0.0, "N·mm")
-    force = draft.draw(balancing_on_lever, "P_{bl}", total, segment, unit="N")
+    force = draft.draw(balancing_on_lever, f"P_{{bl{index}}}", total, segment, unit="N")
     if arm is None:
         return _Balance(total, force, force)
-    return _Balance(total, force, draft.draw(moment_on_arm, "M_{bl}", force, arm, unit="N·m"))
+    return _Balance(
+        total, force, draft.draw(moment_on_arm, f"M_{{bl{index}}}", force, arm, unit="N·m")
+    )
 
 
 def _crank(pair: DrivenPair) -> Crank | None:
@@ -265,7 +268,7 @@ def _base(
     if rate is None:
         return None
     for crank in (one for one in map(_crank, pairs) if one is not None):
-        if rate == velocities.rates[crank.link]:
+        if rate == velocities.rates.get(crank.link):
             pole, image = velocities.driven[crank.link]
             length = crank.drawn_arm(draft, positions)
             axis = positions.bodies[crank.link].axis

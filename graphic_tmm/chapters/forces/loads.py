@@ -13,6 +13,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.task import Spring
 from graphic_tmm.chapters.forces.travel import Traveller
 from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.by_drive import ByDrive
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.survey import Survey
@@ -134,7 +135,7 @@ class Ground(NamedTuple):
     ``quarters``: right angles by which a vector of the velocity plan is turned into its true direction.
     ``survey``: the mechanism at any angles. ``numbers``: where each position stands in the row, which has so
     many ``turns`` of so many ``intervals``; ``steps``: of one that does not close, how far each position
-    is from the first.
+    is from the first. ``by_drive``: velocities as each drive alone causes them.
     """
 
     draft: Draft
@@ -148,6 +149,7 @@ class Ground(NamedTuple):
     intervals: int
     turns: int = 1
     steps: np.ndarray | None = None
+    by_drive: tuple[ByDrive, ...] = ()
 
     @property
     def pairs(self) -> tuple[DrivenPair, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import cached_property
+from itertools import product
 
 from graphic_tmm.chapters.forces.detached import Polygon
 from graphic_tmm.chapters.forces.friction import pin_sentences
@@ -12,11 +13,12 @@ from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.note_sums import Kept, applied, sums
 from graphic_tmm.chapters.forces.plan import Forces
-from graphic_tmm.chapters.forces.table import ADVANTAGE, DIFFERENCE, TOOL
+from graphic_tmm.chapters.forces.table import ADVANTAGE, TOOL, names_of
 from graphic_tmm.chapters.forces.views import (
     EXACTLY,
     force_views,
     group_shown,
+    lever_called,
     lever_views,
     vectors_of,
 )
@@ -32,7 +34,6 @@ from graphic_tmm.note.plans import section, shown_and_listed
 from graphic_tmm.note.section_chapter import Noted
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.seen import Seen
-from graphic_tmm.scene.captions import captions
 
 MOMENTS = said("Equilibrium of moments:")
 CLOSED = said("Equilibrium of forces; the polygon closes where the lines of the unknown ones meet:")
@@ -55,8 +56,18 @@ AGREE = said(
 APART = said(
     "In position {position} the lever differs from the force plans by {apart} % (limit {limit} %): beyond it."
 )
-
-
+AGREE_OF = said(
+    "In position {position} the lever of link {link} differs from the force plans by {apart} % (limit "
+    "{limit} %): within it."
+)
+APART_OF = said(
+    "In position {position} the lever of link {link} differs from the force plans by {apart} % (limit "
+    "{limit} %): beyond it."
+)
+HELD = said(
+    "On its plan the other drives are held: what holds them does no work, and one drive alone balances the "
+    "loads."
+)
 SOUGHT = said(
     "In position {position} the force that is sought is {P_tool}, the mechanical advantage {advantage}."
 )
@@ -143,33 +154,41 @@ class ForcePage(Page[Forces]):
             yield Display(found)
 
     def _lever(self) -> Iterator[Block]:
-        """Yield what is told of the lever: how loads stand on it, its figure, its moments, the comparison."""
-        yield heading(captions(self.language)[LEVER])
-        yield from self.leads(self._here(LEVER), *applied(self))
-        yield from self._moments(iter(lever_rows(self.writer, self.recorded)))
-        if self.recorded.lever.balance != self.recorded.lever.force:
-            yield from self.worked_out(self.recorded.lever.balance)
-        if self.of(LEVER) is not None:
-            yield self.says(AGAINST if self.recorded.tool is None else LEAVES)
-            yield from self.worked_out(self.recorded.difference)
+        """Yield what is told of each lever: how loads stand on it, its figure, its moments, the comparison."""
+        tool = self.recorded.tool
+        for one in self.recorded.balanced:
+            lever = one.lever
+            yield heading(lever_called(self.drawn, one))
+            if one.view != LEVER:
+                yield self.says(HELD)
+            shown = self._here(one.view.replace(" ", "-"))
+            yield from self.leads(shown, *applied(self, lever, tool))
+            yield from self._moments(iter(lever_rows(self.writer, lever, tool)))
+            if lever.balance != lever.force:
+                yield from self.worked_out(lever.balance)
+            if self.of(one.view) is not None:
+                yield self.says(AGAINST if tool is None else LEAVES)
+                yield from self.worked_out(one.difference)
 
     def concludes(self) -> Iterator[Runs]:
         """Yield, for each position that is asked for, whether the lever agrees with the force plans."""
-        segment = next(name for name in self.columns if name.endswith(DIFFERENCE))
-        values = self.columns[segment].first_figures[1]
-        for k in self.recorded.places:
-            value = values[k] if k not in self.drawn.undrawn else None
-            if value is not None:
-                within = value <= self.recorded.order.limit
-                words = AGREE if within else APART
-                if self.recorded.tool is not None:
-                    words = LEFT if within else TOO_MUCH
-                apart = self.quantity(segment, k, 2)._replace(unit="")
-                position, limit = self.drawn.names[k], self.ordered("limit")
-                yield self.sentence(words, position=position, apart=apart, limit=limit)
-                if self.recorded.tool is not None:
-                    found = {name: self.quantity(name, k) for name in (TOOL, ADVANTAGE)}
-                    yield self.sentence(SOUGHT, found, position=position)
+        made, several = self.recorded, len(self.recorded.balanced) > 1
+        for k, one in product(made.places, made.balanced):
+            segment, link = names_of(made, one).difference, str(one.driven.pair.link)
+            value = self.columns[segment].first_figures[1][k]
+            if k in self.drawn.undrawn or value is None:
+                continue
+            within = value <= made.order.limit
+            words = (AGREE_OF if within else APART_OF) if several else AGREE if within else APART
+            if made.tool is not None:
+                words = LEFT if within else TOO_MUCH
+            apart = self.quantity(segment, k, 2)._replace(unit="")
+            position, limit = self.drawn.names[k], self.ordered("limit")
+            of = {"link": link} if several else {}
+            yield self.sentence(words, of, position=position, apart=apart, limit=limit)
+            if made.tool is not None:
+                found = {name: self.quantity(name, k) for name in (TOOL, ADVANTAGE)}
+                yield self.sentence(SOUGHT, found, position=position)
 
 
 NOTE = Noted(ForcePage)

@@ -10,8 +10,9 @@ from graphic_tmm.board.operations.statics import on_lever
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.forces.ink_balances import Sought, Sum, Term, Writer
-from graphic_tmm.chapters.forces.lever import VIEW, Carried
+from graphic_tmm.chapters.forces.lever import Carried, Lever
 from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.tool import Tool
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
@@ -215,12 +216,11 @@ MOMENTS = said("Forces on the lever, their arms and moments about the pole")
 FORCE, POINT = said("Force"), said("Image")
 
 
-def applied(page: Page[Forces]) -> Iterator[Block]:
-    """Yield how the loads come to stand on the lever: in words, couples converted, a table of moments."""
-    lever, told = page.recorded.lever, page.of(VIEW)
+def applied(page: Page[Forces], lever: Lever, tool: Tool | None) -> Iterator[Block]:
+    """Yield how the loads come to stand on a lever: in words, couples converted, a table of moments."""
+    told = page.of(lever.pole.view)
     if told is None:
         return
-    tool = page.recorded.tool
     says, pin = (LEVER, lever.pin) if tool is None else (SOUGHT, tool.carried.point)
     yield page.says(says, pole=told.symbol(lever.pole), pin=told.symbol(pin))
     if lever.couples:
@@ -228,7 +228,7 @@ def applied(page: Page[Forces]) -> Iterator[Block]:
         yield from page.worked_out(*(one.value for one in lever.couples))
     rows = tuple(_row(told, one) for one in lever.forces)
     if rows:
-        table = _table(page, rows)
+        table = _table(page, lever.pole.view, rows)
         yield page.says(ARMS, table=Ref(table.id))
         yield table
 
@@ -246,7 +246,7 @@ def _row(told: NumberSource, one: Carried) -> tuple[Runs, ...]:
     )
 
 
-def _table(page: Page[Forces], rows: tuple[tuple[Runs, ...], ...]) -> Table:
+def _table(page: Page[Forces], view: str, rows: tuple[tuple[Runs, ...], ...]) -> Table:
     language = page.language
     heads = (
         text(page.speech(FORCE)),
@@ -255,4 +255,6 @@ def _table(page: Page[Forces], rows: tuple[tuple[Runs, ...], ...]) -> Table:
         (Symbol("h"), *text(f", {unit('mm', language)}")),
         (Symbol("M"), *text(f", {unit('N·mm', language)}")),
     )
-    return Table("table-lever", text(page.speech(MOMENTS)), heads, rows, "lcccc")
+    return Table(
+        f"table-{view.replace(' ', '-')}", text(page.speech(MOMENTS)), heads, rows, "lcccc"
+    )

@@ -10,22 +10,16 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
-from graphic_tmm.board.operations.statics import (
-    apart_percent,
-    efficiency,
-    settled,
-    still_open,
-)
+from graphic_tmm.board.operations.statics import efficiency, settled, still_open
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.roles import DETACHED, FORCE_POLYGON
 from graphic_tmm.chapters.forces import friction, lever, loads
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.driving import Alone, Driven, Place, solve_drives
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
-from graphic_tmm.chapters.forces.lever import Lever, draw_lever
+from graphic_tmm.chapters.forces.levers import Balanced, compared, draw_levers
 from graphic_tmm.chapters.forces.link_loads import draw_loads
-from graphic_tmm.chapters.forces.loads import Acting, Couple, Force, Ground, Loads
-from graphic_tmm.chapters.forces.operations import left_percent
+from graphic_tmm.chapters.forces.loads import Acting, Ground, Loads
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask, Friction
 from graphic_tmm.chapters.forces.tool import Tool, draw_line, draw_tool
@@ -40,16 +34,16 @@ from graphic_tmm.scene.chapter import Recorded
 
 SOLVED = (FORCE_POLYGON, DETACHED)
 """The roles of views in which links are solved: for readers "forces 4-5", "group 4-5"."""
-OTHERS = (loads.VIEW, friction.VIEW, lever.VIEW)
+OTHERS = (loads.VIEW, friction.VIEW)
 
 
 @dataclass(frozen=True)
 class Forces:
     """The forces of a mechanism as drawn, of the last pass.
 
-    ``balance``: P_bal (N) or M_bal (N·m) by kinetostatics and by the lever, their difference in %. ``tool``: an
-    unknown force, if one is sought: then ``balance`` is what the groups leave at the drive, nothing if all is
-    right, and the difference is its share of what balances the known loads there.
+    ``balanced``: every drive by kinetostatics and by its lever. ``tool``: an unknown force, if one is sought:
+    then the groups leave nothing at the drive if all is right, and the difference is the share of what they
+    leave in what balances the known loads there.
     ``open``: by how much further passes of friction can change it; ``efficiency`` in %. ``acting``: the forces
     and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by pin;
     ``places``: the positions (indices) at which forces are asked for; ``views``: those of the board in which
@@ -59,17 +53,24 @@ class Forces:
     order: ForcesTask
     loads: Loads
     groups: tuple[Solved, ...]
-    driven: tuple[Driven, ...]
-    lever: Lever
+    balanced: tuple[Balanced, ...]
     acting: Acting
-    balance: Mark
-    difference: Mark
     open: Mark | None = None
     efficiency: Mark | None = None
     circles: dict[Mark, Mark] | None = None
     places: tuple[int, ...] = ()
     views: tuple[str, ...] = ()
     tool: Tool | None = None
+
+    @property
+    def first(self) -> Balanced:
+        """The drive of the row."""
+        return self.balanced[0]
+
+    @property
+    def driven(self) -> tuple[Driven, ...]:
+        """The drives as the groups leave them."""
+        return tuple(one.driven for one in self.balanced)
 
     @property
     def alone(self) -> tuple[Alone, ...]:
@@ -120,7 +121,7 @@ def _views(log: Construction) -> Iterator[str]:
     """Yield the views in which forces are drawn, in the order of the log."""
     solved = {view.name for view in log.views if view.role in SOLVED}
     for view in dict.fromkeys(step.it.view for step in log.steps):
-        if view in solved or view in OTHERS:
+        if view in solved or view in OTHERS or view.partition(" ")[0] == lever.VIEW:
             yield view
 
 
@@ -138,6 +139,7 @@ def _ground(bench: Bench, plans: KinematicPlans) -> Ground:
         plans.in_turn,
         plans.turns,
         plans.steps,
+        plans.by_drive,
     )
 
 
@@ -182,13 +184,12 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
     StructureError
         If a load names what is not there.
     """
-    draft = ground.draft
     loads = draw_loads(ground, order, gas)
     tool, acting = None, loads
     if order.unknown is not None:
         sought = draw_line(ground, order.unknown)
-        lever = _lever(ground, order, (loads.on_lever, loads.couples_on_lever))
-        tool = draw_tool(ground, sought, lever)
+        levers = draw_levers(ground, order, loads.on_lever, loads.couples_on_lever)
+        tool = draw_tool(ground, sought, levers[0])
         acting = replace(loads, forces=[*loads.forces, tool.force])
     figures = _Figures(ground)
     friction = order.friction
@@ -203,16 +204,21 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
         tried = None if k == count else k
         passes.append(_solve(ground, order, acting, rubbing, figures, tried))
     last = passes[-1]
-    balance = last.driven[0].balance
+    balances = [one.balance for one in last.driven]
     open_ = share = None
     if friction is not None:
-        balance, open_, share = _settle(ground, passes, order.balance)
+        balances[0], open_, share = _settle(ground, passes, order.balance)
     if tool is None:
-        lever = _lever(ground, order, _carried(ground, loads, rub, found, last))
-    draft.open("lever")
-    both = (lever.balance, balance) if tool is None else (balance, lever.balance)
-    compare = apart_percent if tool is None else left_percent
-    difference = draft.draw(compare, "Δ", *both, unit="%")
+        slid = []
+        if rub is not None:
+            taken = {force.letter for force in loads.forces}
+            slid = rub.along_guides(found, _by_joint(found, last), taken)
+        couples = [*loads.couples_on_lever, *last.rubbing.couples]
+        levers = draw_levers(ground, order, [*loads.on_lever, *slid], couples)
+    balanced = tuple(
+        compared(ground, *one, left=tool is not None)
+        for one in zip(last.driven, balances, levers, strict=True)
+    )
     circles = None
     if rub is not None:
         pins = ground.positions
@@ -221,30 +227,12 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
         order,
         loads,
         last.groups,
-        last.driven,
-        lever,
+        balanced,
         last.acting,
-        balance,
-        difference,
         open_,
         share,
         circles,
         tool=tool,
-    )
-
-
-def _carried(
-    ground: Ground, loads: Loads, rub: Rub | None, found: tuple[Joint, ...], last: _Pass
-) -> tuple[list[Force], list[Couple]]:
-    """Return what is carried onto the lever: loads, friction, what balances further drives."""
-    taken = {force.letter for force in loads.forces}
-    slid = rub.along_guides(found, _by_joint(found, last), taken) if rub is not None else []
-    further = last.driven[1:]
-    held = [_imaged(ground, force) for one in further for force in one.carried]
-    turned = [one.couple for one in further if one.couple is not None]
-    return (
-        [*loads.on_lever, *slid, *held],
-        [*loads.couples_on_lever, *last.rubbing.couples, *turned],
     )
 
 
@@ -264,12 +252,6 @@ def _rub(ground: Ground, friction: Friction) -> Rub:
             head="friction",
         )
     return Rub(ground.draft, (ground.positions, ground.velocities), friction, first)
-
-
-def _imaged(ground: Ground, force: Force) -> Force:
-    """Return a force with the image of its point on the plan of velocities."""
-    body = ground.positions.bodies[force.link]
-    return force._replace(image=ground.velocities.images.at(body, force.point))
 
 
 def _solve(
@@ -341,18 +323,3 @@ def _settle(ground: Ground, passes: list[_Pass], kind: str) -> tuple[Mark, Mark,
     without = passes[0].driven[0].balance
     share = draft.draw(efficiency, "η", without, balance, speed, unit="%")
     return balance, open_, share
-
-
-def _lever(ground: Ground, order: ForcesTask, loads: tuple[list[Force], list[Couple]]) -> Lever:
-    sense = ground.mechanism.drive.sense
-    return draw_lever(
-        ground.draft,
-        ground.positions,
-        ground.velocities,
-        ground.pairs,
-        loads,
-        quarters=0 if ground.quarters else -sense,
-        sense=sense,
-        couples=order.couples,
-        moment=order.balance == "moment",
-    )

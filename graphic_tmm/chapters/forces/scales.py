@@ -22,11 +22,13 @@ from graphic_tmm.board.scales import (
 )
 from graphic_tmm.board.values import Length, Point
 from graphic_tmm.chapters.forces.detached import Detached
+from graphic_tmm.chapters.forces.levers import Balanced
 from graphic_tmm.chapters.forces.load_diagrams import ACROSS, UP, pictured
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.spring_diagrams import laws
 from graphic_tmm.chapters.forces.task import ASKED, FORCES
-from graphic_tmm.chapters.kinematics.task import POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger, usual_room, value_of
 from graphic_tmm.fitting.scales import (
@@ -105,23 +107,27 @@ def polygon_scales(project: Project) -> list[Mark]:
 
 
 class Reaches(NamedTuple):
-    """How far polygons reach, by view and position (N), what is detached, by view (m), the lever's plan (m/s).
+    """How far polygons reach, by view and position (N); what is detached, m, plans of levers, m/s, by view.
 
     Polygons of no forces are not there.
     """
 
     polygons: Mapping[str, Mapping[int, float]]
     detached: Mapping[str, float]
-    lever: float
+    levers: Mapping[str, float]
 
 
 def reach(project: Project, doubts: Doubts) -> Reaches:
     """Return what the scales of forces go by: positions whose forces are asked for, with all scales 1."""
     made, scales = FORCES_PLAN.on(project), polygon_scales(project)
     views = {mu.view for mu in scales}
-    log, lever = project.construction, made.lever
+    log = project.construction
     marks = [step.it for step in log.steps if step.it.view in views and step.it.kind is Point]
-    images = list(dict.fromkeys(mark for marks in lever.images.values() for mark in marks))
+    plans = {
+        one.view: list(dict.fromkeys(mark for own in one.lever.images.values() for mark in own))
+        for one in made.balanced
+    }
+    images = [mark for own in plans.values() for mark in own]
     points = [mark for figure in made.figures for mark in figure.points.values()]
     reading = unscaled(project, doubts, [*marks, *points, *images])
     found = dict[str, Mapping[int, float]]()
@@ -132,7 +138,10 @@ def reach(project: Project, doubts: Doubts) -> Reaches:
             k: extent([np.array([0j, *row])]) for k, row in zip(made.places, rows.T, strict=True)
         }
         found[mu.view] = {k: reach for k, reach in reaches.items() if reach > 0.0}
-    far = extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in images)])])
+    far = {
+        view: extent([np.concatenate([[0j], *(_at(reading[m], made.places) for m in own)])])
+        for view, own in plans.items()
+    }
     apart = {figure.view: _apart(figure, reading, made.places) for figure in made.figures}
     return Reaches(found, apart, far)
 
@@ -205,21 +214,30 @@ def _plan_scale(sized: Sized) -> float:
 
 
 def force_scales(fitting: Fitting) -> dict[Mark, object]:
-    """Return how many times larger the lever is drawn; μ_l of what is detached in one point.
+    """Return how many times larger levers are drawn; μ_l of what is detached in one point.
 
     That has no length to go by: it is drawn to the scale of the plan of positions.
     """
     project, made = fitting.project, FORCES_PLAN.on(fitting)
     known: Reaches = fitting.reach[FORCES]
-    plan = np.ravel(np.asarray(fitting.given[project.scale(VELOCITIES)]))[0]
-    room = fitting.sizes["lever"] * float(plan)
-    times = next(
-        (k for k in ENLARGED if k * known.lever <= (LARGER if k == 1.0 else 1.0) * room),
-        ENLARGED[-1],
-    )
+    times = dict[Mark, object]()
+    for one in made.balanced:
+        plan, far = (
+            np.ravel(np.asarray(fitting.given[_plan_of(project, one)]))[0],
+            known.levers[one.view],
+        )
+        room = fitting.sizes["lever"] * float(plan)
+        times[one.lever.times] = next(
+            (k for k in ENLARGED if k * far <= (LARGER if k == 1.0 else 1.0) * room), ENLARGED[-1]
+        )
     mu_l = fitting.given[project.scale(POSITIONS)]
     points = {figure.mu: mu_l for figure in made.figures if not known.detached[figure.view]}
-    return {made.lever.times: times, **points}
+    return {**times, **points}
+
+
+def _plan_of(project: Project, one: Balanced) -> Mark:
+    """Return μ_v of the plan of velocities that is taken for a lever."""
+    return KINEMATICS_PLAN.on(project).plan_of(one.driven.pair.link).mu
 
 
 def _place(reading: Reading, mark: Mark, doubts: Doubts) -> np.ndarray:
@@ -232,10 +250,10 @@ def _at(values: np.ndarray, places: tuple[int, ...]) -> np.ndarray:
 
 
 def named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
-    """Return the scales of the lever, and of the polygons and detached groups that have one ``given``."""
+    """Return the scales of levers, and of the polygons and detached groups that have one ``given``."""
     made = FORCES_PLAN.on(project)
     others = [polygon.mu for polygon in made.polygons] + [figure.mu for figure in made.figures]
-    chosen = [made.lever.mu, *(mu for mu in others if mu in given)]
+    chosen = [*(one.lever.mu for one in made.balanced), *(mu for mu in others if mu in given)]
     return {mu.view: scale_of(mu, reading) for mu in chosen}
 
 
@@ -244,7 +262,7 @@ def scale_keys(project: Project) -> dict[str, str]:
     made = FORCES_PLAN.on(project)
     keys = {figure.view: figure.of.key("l") for figure in made.figures}
     keys |= {polygon.view: polygon.of.key("F") for polygon in made.polygons}
-    return {**keys, made.lever.mu.view: "mu_lever"}
+    return {**keys, **{one.view: f"mu_{one.view.replace(' ', '_')}" for one in made.balanced}}
 
 
 SCALES = ScaleFactors(reach, factors=factors, scales=force_scales, named=named, keys=scale_keys)
@@ -265,7 +283,8 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         if not known.detached[figure.view]:
             ledger.of(figure.view)
             ledger.same(figure.mu, drawn.project.scale(POSITIONS), figure.mu.name, why=_POINT)
-    _lever(drawn, ledger, known.lever)
+    for drive in FORCES_PLAN.on(drawn).balanced:
+        _lever(drawn, ledger, drive, known.levers[drive.view])
     for law in laws(drawn):
         ledger.of(law.view)
         largest = ledger.quantity(f"{law.letter[:-1]}max}}", law.largest, "N")
@@ -281,16 +300,16 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
         ledger.pictured(up, one.unit, largest, UP)
 
 
-def _lever(drawn: Drawn, ledger: Ledger, longest: float) -> None:
-    """Record how many times larger than the plan of velocities the lever is drawn."""
-    lever = FORCES_PLAN.on(drawn).lever
-    plan = ledger.chosen[drawn.project.scale(VELOCITIES).slot]
-    ledger.of(lever.mu.view)
+def _lever(drawn: Drawn, ledger: Ledger, one: Balanced, longest: float) -> None:
+    """Record how many times larger than the plan of velocities a lever is drawn."""
+    lever, of_plan = one.lever, _plan_of(drawn.project, one)
+    plan = ledger.chosen[of_plan.slot]
+    ledger.of(one.view)
     times = value_of(drawn, lever.times)
     if not longest > 0.0:
         ledger.quantity(lever.times.name, times, "")
         return
-    mu_v = value_of(drawn, drawn.project.scale(VELOCITIES))
+    mu_v = value_of(drawn, of_plan)
     most = ledger.quantity("v_{max}", longest, "m/s")
     room = GRAIN * math.ceil(times * longest / mu_v / GRAIN)
     wanted = ledger.draft.take(Length, f"[{most.name}]", room)

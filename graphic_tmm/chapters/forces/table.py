@@ -10,8 +10,8 @@ import numpy as np
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.detached import Reaction
-from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.friction import pin_sentences
+from graphic_tmm.chapters.forces.levers import Balanced
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.drawn import Drawn
@@ -24,9 +24,26 @@ PLAN = FORCES
 
 TOOL, ADVANTAGE = "P_tool", "advantage"
 """The columns of a force that is sought at a tool: it, and how many times the force at the drive it is."""
-BALANCES = ("_bal_forces", "_bal_lever")
 DIFFERENCE = "bal_difference"
-"""How the segments end of what balances the crank by each method, and what tables call their difference, %."""
+"""What tables call the difference of both methods, %."""
+
+
+class Names(NamedTuple):
+    """What the columns of a drive are called: what balances it by groups, by its lever, their difference."""
+
+    forces: str
+    lever: str
+    difference: str
+
+
+def names_of(made: Forces, one: Balanced) -> Names:
+    """Return what the columns of a drive are called; those of further drives bear the number of its link."""
+    stem = f"{'P' if one.driven.couple is None else 'M'}_bal"
+    if one is not made.first:
+        stem = f"{stem}_{one.driven.pair.link}"
+        return Names(stem, f"{stem}_lever", f"{stem}_difference")
+    forces = f"{stem}_left" if made.tool is not None else f"{stem}_forces"
+    return Names(forces, f"{stem}_lever", f"{stem}_difference")
 
 
 class _Row(NamedTuple):
@@ -62,7 +79,7 @@ def force_columns(drawn: Drawn, everywhere: bool = False) -> tuple[Column, ...]:
     # passes that do not settle leave no force known; without friction each force stands by itself
     if made.open is None:
         return tuple(found)
-    balance = next(c for c, row in zip(found, rows, strict=True) if row.value == made.balance)
+    balance = next(c for c, row in zip(found, rows, strict=True) if row.value == made.first.balance)
     return tuple(column.blank(np.isnan(balance.value)) for column in found)
 
 
@@ -95,40 +112,40 @@ def _place(reaction: Reaction) -> list[_Row]:
 
 
 def balance_segments(made: Forces) -> dict[str, Mark]:
-    """Return what balances the crank, by the name of its column: by groups, by the lever.
+    """Return what balances the drives, by the name of its column: by groups, by the lever.
 
     Where a force at a tool is sought: that force, and what the groups leave at the drive.
     """
-    sign = "P" if made.order.balance == "force" else "M"
     if made.tool is not None:
-        return {TOOL: made.tool.force.value, f"{sign}_bal_left": made.balance}
-    marks = (made.balance, made.lever.balance)
-    return {f"{sign}{end}": mark for end, mark in zip(BALANCES, marks, strict=True)}
-
-
-def further_segments(made: Forces) -> dict[str, Driven]:
-    """Return the drives after the first, by the names of the columns of what balances them."""
-    return {
-        f"{'P' if one.couple is None else 'M'}_bal_{one.pair.link}": one for one in made.driven[1:]
-    }
+        forces, *_ = names_of(made, made.first)
+        return {TOOL: made.tool.force.value, forces: made.first.balance}
+    found = dict[str, Mark]()
+    for one in made.balanced:
+        forces, lever, _ = names_of(made, one)
+        found |= {forces: one.balance, lever: one.lever.balance}
+    return found
 
 
 def _balance(made: Forces) -> list[_Row]:
-    sign, unit = ("P", "N") if made.order.balance == "force" else ("M", "N·m")
-    named = balance_segments(made).items()
-    if made.tool is None:
-        rows = [_Row(name, name, unit, mark) for name, mark in named]
-    else:
-        rows = [_Row(TOOL, made.tool.force.letter, "N", made.tool.force.value)]
+    rows = list[_Row]()
+    if made.tool is not None:
+        rows.append(_Row(TOOL, made.tool.force.letter, "N", made.tool.force.value))
         rows.append(_Row(ADVANTAGE, made.tool.advantage.name, "", made.tool.advantage))
-        rows += [_Row(name, name, unit, mark) for name, mark in named if name != TOOL]
-    rows += [
-        _Row(f"{sign}_{DIFFERENCE}", DIFFERENCE, "%", made.difference),
-    ]
-    for name, one in further_segments(made).items():
-        rows.append(_Row(name, one.letter, "N" if one.couple is None else "N·m", one.balance))
+    several = len(made.balanced) > 1
+    for one in made.balanced:
+        unit = "N" if one.driven.couple is None else "N·m"
+        forces, lever, difference = names_of(made, one)
+        letters = Names(forces, lever, DIFFERENCE)
+        if several:
+            link = one.driven.pair.link
+            letters = Names(one.driven.letter, one.lever.balance.name, f"Δ_{link}")
+        rows.append(_Row(forces, letters.forces, unit, one.balance))
+        if made.tool is None:
+            rows.append(_Row(lever, letters.lever, unit, one.lever.balance))
+        rows.append(_Row(difference, letters.difference, "%", one.difference))
     if made.open is not None and made.efficiency is not None:
-        rows.append(_Row(f"{sign}_bal_open", "bal_open", unit, made.open))
+        (stem, *_), unit = names_of(made, made.first).forces.split("_"), rows[-2].unit
+        rows.append(_Row(f"{stem}_bal_open", "bal_open", unit, made.open))
         rows.append(_Row("efficiency", "η", "%", made.efficiency))
     return rows
 

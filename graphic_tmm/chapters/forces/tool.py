@@ -12,7 +12,6 @@ from graphic_tmm.board.operations.statics import arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.given_loads import line_of
-from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.lever import Carried, Lever
 from graphic_tmm.chapters.forces.loads import VIEW, Force, Ground, point_of
 from graphic_tmm.chapters.forces.operations import advantage, unknown_on_lever
@@ -81,7 +80,7 @@ def draw_line(ground: Ground, unknown: Unknown) -> Sought:
 def draw_tool(ground: Ground, sought: Sought, lever: Lever) -> Tool:
     """Find an unknown force on the lever of all known loads."""
     draft, (letter, link, point, line, image) = ground.draft, sought
-    draft.open(LEVER)
+    draft.open(lever.pole.view)
     images = dict.fromkeys(ground.velocities.images.by_letter[link].values())
     end = dict(zip(images, lever.images[link], strict=True))[image]
     because = why.FORCE_ON_LEVER

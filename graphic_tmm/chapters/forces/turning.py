@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 
 import numpy as np
 
@@ -12,13 +13,21 @@ from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.ink_groups import GroupFigure, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import draw_polygon, whole
+from graphic_tmm.chapters.forces.levers import Balanced
 from graphic_tmm.chapters.forces.load_diagrams import varies
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.scales import polygon_scales
-from graphic_tmm.chapters.forces.table import balance_segments, force_columns, further_segments
+from graphic_tmm.chapters.forces.table import balance_segments, force_columns
 from graphic_tmm.chapters.forces.task import TURN
+from graphic_tmm.chapters.forces.tool import Tool
 from graphic_tmm.chapters.forces.travel import parts_at, size_at_turn
-from graphic_tmm.chapters.forces.views import decimals_told, driver_shown, group_shown, told_lengths
+from graphic_tmm.chapters.forces.views import (
+    decimals_told,
+    driver_shown,
+    group_shown,
+    lever_called,
+    told_lengths,
+)
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
@@ -27,22 +36,21 @@ from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning, TurnQuantity
-from graphic_tmm.scene.captions import captions
 
 
 def quantities(project: Project) -> Iterator[TurnQuantity]:
-    """Yield the reactions as vectors, N; what balances the drives, the first by groups and by the lever."""
+    """Yield the reactions as vectors, N; what balances the drives, by groups and by their levers."""
     made = FORCES_PLAN.on(project)
     # passes of friction that do not settle leave no force known
-    known = made.balance if made.open is not None else None
+    known = made.first.balance if made.open is not None else None
     for one in made.reactions:
         key, mu = segment_name(one.letter), project.scale(one.tail.view)
         yield TurnQuantity("forces", "forces", key, one.head, mu, one.tail, known=known)
-    further = {name: one.balance for name, one in further_segments(made).items()}
-    for name, mark in {**balance_segments(made), **further}.items():
+    for name, mark in balance_segments(made).items():
         yield TurnQuantity("forces", "balance", name, mark, known=known)
 
 
@@ -89,20 +97,21 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
         if (alone := driven.alone) is not None:
             shown = driver_shown(drawn, made, driven)
             yield from _pair(drawn, made, shown, alone.polygon, (alone.reaction,))
-    words, language = captions(drawn.scene.language), drawn.scene.language
     on, decimals = subject(drawn, "", "lever"), decimals_told(drawn)
+    for one in made.balanced:
+        key = one.view.replace(" ", "-")
+        yield Moving(
+            one.view,
+            lever_called(drawn, one),
+            mu_text(drawn.scales[one.view], drawn.scene.language),
+            partial(_lever, on, one, decimals, made.tool),
+            f"{key}-{{}}".format,
+            columns=lambda: columns,
+        )
 
-    def lever(place: int) -> Drawing:
-        return draw_lever_ink(on, made.lever, place, decimals, False, made.tool)
 
-    yield Moving(
-        "lever",
-        words["lever"],
-        mu_text(drawn.scales["lever"], language),
-        lever,
-        lambda name: f"lever-{name}",
-        columns=lambda: columns,
-    )
+def _lever(on: Subject, one: Balanced, decimals: int, tool: Tool | None, place: int) -> Drawing:
+    return draw_lever_ink(on, one.lever, place, decimals, False, tool)
 
 
 def _pair(

@@ -17,12 +17,13 @@ from graphic_tmm.chapters.forces.ink_equations import Row, draw_balances
 from graphic_tmm.chapters.forces.ink_groups import GroupFigure, Reactive, Rubbed, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
+from graphic_tmm.chapters.forces.levers import Balanced
 from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.load_strokes import loads_along_guides
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.spring_diagrams import spring_views, springs_on_plan
 from graphic_tmm.chapters.forces.statics import Solved
-from graphic_tmm.chapters.forces.table import BALANCES, DIFFERENCE, force_columns
+from graphic_tmm.chapters.forces.table import force_columns, names_of
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.tool import Tool
 from graphic_tmm.chapters.forces.words import called
@@ -228,29 +229,44 @@ def driver_shown(drawn: Drawn, made: Forces, driven: Driven) -> GroupFigure:
 
 
 def lever_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
-    """Return the lever and its equations in every position whose forces are asked for."""
-    made, language = FORCES_PLAN.of(drawn), drawn.scene.language
+    """Return the lever of each drive and its equations in every position whose forces are asked for."""
+    made = FORCES_PLAN.of(drawn)
     if made is None:
         return []
-    _, words, views = speaking(language), captions(language), list[Drawing]()
-    scale = mu_text(drawn.scales["lever"], language)
-    for place in _places(drawn):
-        name, at = drawn.names[place], f"{words['position']} {escape(drawn.names[place])}"
-        on = subject(drawn, f"{words['lever']}, {at}", "lever", name=f"lever-{name}")
-        view = draw_lever_ink(on, made.lever, place, decimals_told(drawn), tool=made.tool)
-        larger = number(drawn.value(made.lever.times), language)
-        times = _("enlargement {k} = {larger}", k=made.lever.times.name, larger=larger)
-        lines = [f"{scale}, {times}, {_('forces not to scale')}", *_verdict(drawn, made, place)]
-        heading = f"{_('Equations of the lever')}, {at}"
-        rows = lever_rows(_writer(drawn, place), made)
-        told = draw_balances(f"equations-lever-{name}", heading, rows, place, on.heights)
-        known = (made.lever.balance,)
-        views += paired([with_caption(view, on, lettered, *lines, known=known), told])
-    return views
+    places = _places(drawn)
+    return [
+        view
+        for place in places
+        for one in made.balanced
+        for view in _lever(drawn, made, one, place, lettered)
+    ]
 
 
-def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
-    """Return what the two methods found and whether they agree within the limit."""
+def _lever(drawn: Drawn, made: Forces, one: Balanced, place: int, lettered: bool) -> list[Drawing]:
+    language, lever, key = drawn.scene.language, one.lever, one.view.replace(" ", "-")
+    _, scale = speaking(language), mu_text(drawn.scales[one.view], language)
+    name, at = drawn.names[place], f"{captions(language)['position']} {escape(drawn.names[place])}"
+    on = subject(drawn, f"{lever_called(drawn, one)}, {at}", "lever", name=f"{key}-{name}")
+    view = draw_lever_ink(on, lever, place, decimals_told(drawn), tool=made.tool)
+    larger = number(drawn.value(lever.times), language)
+    times = _("enlargement {k} = {larger}", k=lever.times.name, larger=larger)
+    lines = [f"{scale}, {times}, {_('forces not to scale')}", *_verdict(drawn, made, one, place)]
+    sums = _("Equations of the lever")
+    if len(made.balanced) > 1:
+        sums = _("Equations of the lever, link {link} driving", link=one.driven.pair.link)
+    rows = lever_rows(_writer(drawn, place), lever, made.tool)
+    told = draw_balances(f"equations-{key}-{name}", f"{sums}, {at}", rows, place, on.heights)
+    return paired([with_caption(view, on, lettered, *lines, known=(lever.balance,)), told])
+
+
+def lever_called(drawn: Drawn, one: Balanced) -> str:
+    """Return what the lever of a drive is called."""
+    language = drawn.scene.language
+    return called(one.view, speaking(language)) or captions(language)["lever"]
+
+
+def _verdict(drawn: Drawn, made: Forces, one: Balanced, place: int) -> list[str]:
+    """Return what the two methods found of a drive and whether they agree within the limit."""
     language = drawn.scene.language
     _, words = speaking(language), captions(language)
 
@@ -259,19 +275,23 @@ def _verdict(drawn: Drawn, made: Forces, place: int) -> list[str]:
         return float(row[place if row.size > 1 else 0])
 
     of = unit("N" if made.order.balance == "force" else "N·m", language)
-    key = "P" if made.order.balance == "force" else "M"
-    found = {"forces": at(made.balance), "lever": at(made.lever.balance)}
-    if found["forces"] * found["lever"] > 0:  # of one sense, that of their arrows
-        found = {way: abs(value) for way, value in found.items()}
+    values = at(one.balance), at(one.lever.balance)
+    if values[0] * values[1] > 0:  # of one sense, that of their arrows
+        values = abs(values[0]), abs(values[1])
+    if len(made.balanced) > 1:
+        names = symbol(one.driven.letter, language), symbol(one.lever.balance.name, language)
+    else:
+        forces, lever, _difference = names_of(made, one)
+        names = words[forces], words[lever]
     both = [
-        f"{words[f'{key}_bal_{way}']} = {number(value, language)} {of}"
-        for way, value in found.items()
+        f"{name} = {number(value, language)} {of}"
+        for name, value in zip(names, values, strict=True)
     ]
     if made.tool is not None:
         both = _sought(drawn, made.tool, at) + both[:1]
-    row, limit = drawn.reading[made.difference][0], made.order.limit
+    row, limit = drawn.reading[one.difference][0], made.order.limit
     apart = float(row[place if row.size > 1 else 0])
-    if not math.isfinite(at(made.difference)):
+    if not math.isfinite(at(one.difference)):
         return [", ".join(both), _("Δ: there is nothing to compare")]
     places = drawn.percent_decimals
     told, sign = fixed(apart, places, language), "≤" if round(apart, places) <= limit else ">"
@@ -308,17 +328,19 @@ def _as_printed(drawn: Drawn, column: Column) -> Column:
     Where both methods found opposite senses, their signs stay. Their difference is that of the two sizes as
     they are printed.
     """
-    made = FORCES_PLAN.on(drawn)
-    apart, *sizes = (
-        np.broadcast_to(drawn.reading[mark][:1], (1, len(drawn.names)))[0]
-        for mark in (made.difference, made.balance, made.lever.balance)
-    )
-    value = column.value.copy()
+    made, value = FORCES_PLAN.on(drawn), column.value.copy()
     if column.letter in {one.letter for one in made.loads.couples_on_lever}:
         value = np.abs(value)
-    elif column.segment.endswith(BALANCES):
-        value = np.where(sizes[0] * sizes[1] > 0.0, np.abs(value), value)
-    elif column.segment.endswith(DIFFERENCE):
+    for one in made.balanced:
+        if column.segment not in (names := names_of(made, one)):
+            continue
+        apart, *sizes = (
+            np.broadcast_to(drawn.reading[mark][:1], (1, len(drawn.names)))[0]
+            for mark in (one.difference, one.balance, one.lever.balance)
+        )
+        if column.segment != names.difference:
+            value = np.where(sizes[0] * sizes[1] > 0.0, np.abs(value), value)
+            continue
         for k in np.flatnonzero(np.isfinite(value[0])):
             value[0, k] = round(float(apart[k]), drawn.percent_decimals)
     return replace(column, value=value)

@@ -28,7 +28,7 @@ CAPTIONS: dict[str, str] = {
 def called(view: str, speech: Speech) -> str:
     """Return what the figure, the polygon or the equations of a group or a link are called, and its pass.
 
-    So is the friction of a pass, "friction 1"; "" for other views.
+    So is the friction of a pass, "friction 1", and one lever of several, "lever 3"; "" for other views.
     """
     kind, _, name = view.partition(" ")
     if kind == "load" and name:
@@ -37,6 +37,8 @@ def called(view: str, speech: Speech) -> str:
         return speech(SPRING, letter=plain(name))
     if kind == "friction" and name.isdigit():
         return speech(_FRICTION, number=name, before=int(name) - 1)
+    if kind == "lever" and name:
+        return speech(_LEVER, link=name)
     if kind not in _TITLES or not name:
         return ""
     name, _, tried = name.partition(" ")
@@ -55,6 +57,7 @@ LOAD = said("Diagram of the load {letter}")
 """What the diagram of a load that varies is called."""
 SPRING = said("Diagram of the spring force {letter}")
 """What the diagram of a spring is called."""
+_LEVER = said("Zhukovsky's lever, link {link} driving")
 _PASS = said(", pass {number}")
 _FRICTION = said("Pass {number}: friction by the reactions of pass {before}")
 

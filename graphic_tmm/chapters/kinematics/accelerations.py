@@ -60,7 +60,10 @@ def draw_accelerations(
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
     for pair in driven(mechanism, structure):
-        pair.acceleration(draft, positions, velocities, plan)
+        if pair.held:
+            pair.hold(positions, plan)
+        else:
+            pair.acceleration(draft, positions, velocities, plan)
     for closing in dyads(positions.closings, VIEW):
         _group(draft, positions, velocities, plan, closing)
     hang_passive(positions, plan)
@@ -138,7 +141,7 @@ def _rod_out(
     ``ends``: the letters of both pins.
     """
     gain, end = plan.speeds.get(leg.rod), start
-    if not velocities.possible:
+    if not velocities.possible and leg.link in velocities.outs:
         end = _coriolis_of_rod(draft, velocities, leg, start, ends)
     if gain is None:
         return end

@@ -15,6 +15,7 @@ from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
 from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.by_drive import ByDrive, draw_by_drive
 from graphic_tmm.chapters.kinematics.drives import driven, follow
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
@@ -29,7 +30,14 @@ from graphic_tmm.chapters.kinematics.row import draw_row, extreme_places, zero_o
 from graphic_tmm.chapters.kinematics.rows import Further, Ground, draw_rows
 from graphic_tmm.chapters.kinematics.sides import LAST, standing
 from graphic_tmm.chapters.kinematics.survey import Survey, best, survey
-from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, KINEMATICS, TURNS, VELOCITIES
+from graphic_tmm.chapters.kinematics.task import (
+    ACCELERATIONS,
+    ASKED,
+    BY_DRIVE,
+    KINEMATICS,
+    TURNS,
+    VELOCITIES,
+)
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -54,7 +62,8 @@ class KinematicPlans:
     ``numbers``: where each position stands in the row, in intervals of it; ``count`` of the positions make the
     row, over so many ``turns``; ``rows``: what tables are asked to tell besides; ``closed``: whether the
     row comes back to where it began, ``ends``: where one that does not begins and ends,
-    ``steps``: how far each of its positions is from the first (° or m).
+    ``steps``: how far each of its positions is from the first (° or m). ``by_drive``: velocities as each drive
+    causes them, where that is asked for.
     """
 
     mechanism: Mechanism
@@ -75,6 +84,17 @@ class KinematicPlans:
     closed: bool = True
     ends: tuple[float, float] | None = None
     steps: np.ndarray | None = None
+    by_drive: tuple[ByDrive, ...] = ()
+
+    def plan_of(self, link: int) -> Motion:
+        """Return the plan of velocities as the drive of a link alone causes them."""
+        return next(one.motion for one in self.by_drive if one.link == link)
+
+    @property
+    def apart(self) -> tuple[Motion, ...]:
+        """The plans of velocities of single drives that are not that of all."""
+        motions = (one.motion for one in self.by_drive)
+        return tuple(motion for motion in motions if motion is not self.velocities)
 
     @property
     def in_turn(self) -> int:
@@ -179,8 +199,12 @@ def record(bench: Bench) -> KinematicPlans:
     _draw_trajectories(draft, positions, scene.trajectories, row.count // turns, closed=closes)
     velocities = accelerations = None
     called = bench.wanted | bench.needed.keys()
-    if VELOCITIES in called or ACCELERATIONS in called:
+    by_drive = tuple[ByDrive, ...]()
+    if called & {VELOCITIES, ACCELERATIONS, BY_DRIVE}:
         velocities = draw_velocities(draft, mechanism, structure, positions, turned=scene.turned)
+        if BY_DRIVE in called:
+            drawn = draw_by_drive(draft, mechanism, positions, velocities, turned=scene.turned)
+            by_drive = tuple(drawn)
     gained = ACCELERATIONS in bench.wanted and mechanism.moves
     accelerated = chosen(row.accelerations, bench.names, ACCELERATIONS) if gained else ()
     wanted = accelerated or (ACCELERATIONS in bench.needed and mechanism.moves)
@@ -210,6 +234,7 @@ def record(bench: Bench) -> KinematicPlans:
         closes,
         None if row.ends is None and not row.places else (float(values.min()), float(values.max())),
         None if closes else np.abs(values[0] - values[0, 0]),
+        by_drive,
     )
     draft.given |= standing(made, values, carried=True)
     later = frozenset(made.repeated)

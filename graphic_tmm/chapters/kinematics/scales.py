@@ -72,6 +72,9 @@ _VECTORS = {
         few=FEW,
     ),
 }
+_TOGETHER = said(
+    "What each drive causes is drawn to the scale of the plan of velocities: there they add up."
+)
 _VECTOR_OF = {VELOCITIES: ("v", "m/s"), ACCELERATIONS: ("a", "m/s²")}
 KEYS = {POSITIONS: ("mu_l", "OA"), VELOCITIES: ("mu_v", "pa"), ACCELERATIONS: ("mu_a", "pi_a")}
 """The keys of [scales] that fix the size of a plan."""
@@ -85,13 +88,15 @@ RULING, OUTLYING = 0.9, 2.0
 class Extents(NamedTuple):
     """What there is to draw (SI): how far the plan of positions reaches, the longest vectors of the others.
 
-    ``outliers``: by plan, the positions (indices) whose vectors are longer, and how many times.
+    ``outliers``: by plan, the positions (indices) whose vectors are longer, and how many times. ``by_drive``:
+    the longest vectors of what single drives could do, by view.
     """
 
     positions: float
     velocities: float
     accelerations: float
     outliers: Mapping[str, Mapping[int, float]] = MappingProxyType({})
+    by_drive: Mapping[str, float] = MappingProxyType({})
 
 
 def extents(project: Project, doubts: Doubts) -> Extents:
@@ -116,8 +121,19 @@ def extents(project: Project, doubts: Doubts) -> Extents:
         (ACCELERATIONS, made.accelerations, places),
     ):
         if motion is not None and at:
-            longest[plan], outliers[plan] = ruling(at, _longest(project, plan, at, doubts))
-    return Extents(longest[POSITIONS], longest[VELOCITIES], longest[ACCELERATIONS], outliers)
+            lengths = _longest(project, plan, at, doubts)
+            if plan == VELOCITIES and made.mechanism.moves:  # to one scale, for they add up
+                apart = (_longest(project, one.mu.view, at, doubts) for one in made.apart)
+                lengths = np.fmax.reduce([lengths, *apart])
+            longest[plan], outliers[plan] = ruling(at, lengths)
+    every = tuple(range(len(project.names)))
+    by_drive = {
+        view: ruling(every, _longest(project, view, every, doubts))[0]
+        for view in (one.mu.view for one in made.apart)
+    }
+    return Extents(
+        longest[POSITIONS], longest[VELOCITIES], longest[ACCELERATIONS], outliers, by_drive
+    )
 
 
 def ruling(at: Sequence[int], lengths: np.ndarray) -> tuple[float, dict[int, float]]:
@@ -164,6 +180,9 @@ def plan_scales(fitting: Fitting) -> dict[str, Scale]:
         if wanted.mu_v_is_mu_l_omega:
             mu_v = mu_l * abs(made.pairs[0].speed)
         scales[VELOCITIES] = Scale("μ_v", mu_v, UNITS["mu_v"])
+        for view, longest in reach.by_drive.items():
+            own = mu_v if made.mechanism.moves else standard(longest, sizes[VELOCITIES])
+            scales[view] = Scale("μ_v", own, UNITS["mu_v"])
     if made.accelerations is not None:
         mu_a = wanted.mu_a or (
             pin_acceleration / wanted.pi_a
@@ -327,6 +346,12 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     else:
         fixed = wanted.mu_v, wanted.pa
         _plan(drawn, ledger, VELOCITIES, fixed, (segments.speed, speed), reach.velocities)
+    for view, longest in reach.by_drive.items():
+        ledger.of(view)
+        if made.mechanism.moves:
+            ledger.same(drawn.project.scale(view), mu, mu.letter, why=_TOGETHER)
+        else:
+            _plan(drawn, ledger, view, (None, None), ("", None), longest)
     if made.accelerations is None:
         return
     ledger.of(ACCELERATIONS)
@@ -354,9 +379,10 @@ def _plan(
         ledger.by_length(mu, quantity, letter, length)
         return
     else:
-        kind, unit = _VECTOR_OF[plan]
+        kind, unit = _VECTOR_OF.get(plan, _VECTOR_OF[VELOCITIES])
         most = ledger.quantity(f"{kind}_{{max}}", longest, unit)
-        found = ledger.fitting(mu, most, value_of(drawn, mu), why=_VECTORS[plan])
+        because = _VECTORS.get(plan, _VECTORS[VELOCITIES])
+        found = ledger.fitting(mu, most, value_of(drawn, mu), why=because)
     if quantity is not None:
         ledger.follows(letter, quantity, found)
 

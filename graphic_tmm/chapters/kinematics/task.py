@@ -23,6 +23,8 @@ POSITIONS, VELOCITIES, ACCELERATIONS = "positions", "velocities", "accelerations
 PLANS = (POSITIONS, VELOCITIES, ACCELERATIONS)
 TURNS = "turns"
 """What else may be needed of the plans: that their row goes over so many turns of the crank."""
+BY_DRIVE = "velocities by drive"
+"""A place, and a need: velocities as each of several drives causes them."""
 EXTREMES = "extremes"
 GIVEN = "given"
 """The place of the table of what is given."""

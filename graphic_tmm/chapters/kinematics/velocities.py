@@ -40,10 +40,16 @@ VIEW = "velocities"
 
 
 def draw_velocities(
-    draft: Draft, mechanism: Mechanism, structure: Structure, positions: Positions, *, turned: bool
+    draft: Draft,
+    mechanism: Mechanism,
+    structure: Structure,
+    positions: Positions,
+    *,
+    turned: bool,
+    view: str = VIEW,
 ) -> Motion:
     """Draw the plan of velocities of the whole mechanism."""
-    draft.open(VIEW)
+    draft.open(view)
     pole = draft.take(Point, "p", 0j, role=roles.VELOCITY)
     mu = draft.scale("μ_v", "(m/s)/mm")
     draft.lay_out(pole)
@@ -51,7 +57,10 @@ def draw_velocities(
     plan = Motion(Images(draft, pole, frame), mu, possible=mechanism.at_rest)
     turn = VelocityLines(draft, turned, mechanism.drive.sense)
     for pair in driven(mechanism, structure):
-        pair.velocity(positions, plan, turn)
+        if pair.held:
+            pair.hold(positions, plan)
+        else:
+            pair.velocity(positions, plan, turn)
     for closing in dyads(positions.closings, VIEW):
         _group(draft, positions, plan, turn, closing)
     hang_passive(positions, plan)
@@ -74,7 +83,7 @@ def _group(
         match leg:
             case PinLeg():
                 draw = turn.across
-                if leg.rod:
+                if leg.rod in plan.speeds:
                     start = _rod_out(draft, plan, turn, leg, start)
             case GuideLeg():
                 draw = turn.along

@@ -95,6 +95,12 @@ class DrivenPair(ABC):
         return draft.take(Number, letter, rate, unit, roles.RATE if np.size(rate) > 1 else "")
 
     @property
+    def held(self) -> bool:
+        """Whether it follows another drive and stands still: nothing is drawn of what it does."""
+        moves = self.drive.speed or self.drive.acceleration or self.listed
+        return self.drive != self.mechanism.drive and not moves
+
+    @property
     def pair(self) -> Pair:
         """The pair that it drives."""
         return self.driven.pair
@@ -138,6 +144,10 @@ class DrivenPair(ABC):
     @abstractmethod
     def stand(self, draft: Draft, bodies: dict[int, Body], at: Mark) -> None:
         """Draw its link at a coordinate; of a leg of changing length, nothing yet."""
+
+    @abstractmethod
+    def hold(self, positions: Positions, plan: Motion) -> None:
+        """Enter its link into a plan in which it stands still; of a leg held at its length, nothing."""
 
     @abstractmethod
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
