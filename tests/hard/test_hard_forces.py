@@ -137,7 +137,7 @@ def test_no_load_is_no_force_anywhere(mechanism: Mechanism, angle: float) -> Non
         judged=False,
     )
     assert {solved.number(r.value) for r in solved.forces.reactions} == {0.0}
-    assert solved.number(solved.forces.balance) == 0.0
+    assert solved.number(solved.forces.first.balance) == 0.0
     for polygon in solved.forces.polygons:
         assert all(solved.vector(tail, head) == 0 for _, tail, head in polygon.sides)
 
@@ -148,7 +148,7 @@ def test_only_the_vectors_without_length_are_points() -> None:
     one = Loaded(mechanism, [(3, "B", -100.0 + 0j)], [])
     solved = solve(one, 0.0, poses(mechanism, 0.0)[0], order_of(one), judged=False)
     values = {r.links: solved.vector(r.tail, r.head) for r in solved.forces.reactions}
-    assert solved.number(solved.forces.balance) == 0.0
+    assert solved.number(solved.forces.first.balance) == 0.0
     assert {abs(v) for v in values.values()} == {0.0, 100.0}
 
 
@@ -173,7 +173,7 @@ def _rubbing(q: float, passes: int) -> tuple[Solved, complex, Any]:
         rod = 100 / (mp.cos(b) - f * mp.sin(b))
         due = rod * mp.sin(mp.radians(ANGLE) + b)
     given = {mark: solved.reading[mark] for mark in solved.log.given}
-    told = examine(solved.log, given, [solved.forces.balance])
+    told = examine(solved.log, given, [solved.forces.first.balance])
     return solved, due, told
 
 
@@ -183,7 +183,7 @@ def _rubbing(q: float, passes: int) -> tuple[Solved, complex, Any]:
 def test_what_the_passes_leave_open_holds_the_truth(q: float, passes: int) -> None:
     solved, due, told = _rubbing(q, passes)
     assert solved.forces.open is not None
-    value, left = solved.number(solved.forces.balance), solved.number(solved.forces.open)
+    value, left = solved.number(solved.forces.first.balance), solved.number(solved.forces.open)
     if math.isnan(value):
         assert q > 0.5
         assert any("do not settle" in f.step.op.fails for f in told)
@@ -197,21 +197,21 @@ def test_just_before_a_mechanism_locks_itself(q: float) -> None:
     """Right within 1/(1 − q), and doubted where that is more than half of the digits."""
     solved, due, told = _rubbing(q, 4)
     bound = 8 * EPS * len(solved.log.steps) / (1 - q)
-    value = solved.number(solved.forces.balance)
+    value = solved.number(solved.forces.first.balance)
     assert abs(value - abs(due)) <= bound * abs(due)
     assert ("doubtful" in {f.kind for f in told}) == (1 - q < 1e-8)
 
 
 def test_where_it_begins_to_lock_the_lines_are_parallel() -> None:
     solved, _, told = _rubbing(1.0, 4)
-    assert math.isnan(solved.number(solved.forces.balance))
+    assert math.isnan(solved.number(solved.forces.first.balance))
     assert any("parallel" in f.step.op.fails for f in told)
 
 
 @pytest.mark.parametrize("q", [1 + 1e-12, 1 + 1e-6, 1.5, 1e6])
 def test_a_mechanism_that_locks_itself_is_named(q: float) -> None:
     solved, _, told = _rubbing(q, 4)
-    assert math.isnan(solved.number(solved.forces.balance))
+    assert math.isnan(solved.number(solved.forces.first.balance))
     assert any("locks itself" in f.step.op.fails for f in told)
 
 
@@ -223,6 +223,6 @@ def test_self_locking_at_one_position_leaves_the_others() -> None:
     solved = solve(one, ANGLE, poses(mechanism, ANGLE)[0], order, judged=False)
     given = {mark: solved.reading[mark] for mark in solved.log.given}
     given[solved.positions.row[0]] = np.array([[10.0, 30.0, 50.0, 89.0, 91.0]])
-    found = execute(solved.log, given, [solved.forces.balance])[solved.forces.balance]
+    found = execute(solved.log, given, [solved.forces.first.balance])[solved.forces.first.balance]
     beta = np.arcsin(CRANK * np.sin(np.radians([10.0, 30.0, 50.0, 89.0, 91.0])) / ROD)
     assert np.isfinite(found[0]).tolist() == (0.5 * np.tan(beta) < 0.9).tolist()

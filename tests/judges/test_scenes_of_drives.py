@@ -132,7 +132,9 @@ def test_every_row_of_the_table_of_forces_is_what_its_name_and_unit_say(name: st
     first, *further = due.drives
     rows |= {f"{letter}_bal_{way}": (unit, first) for way in ("forces", "lever", "left")}
     links = [drive["link"] for drive in judge.words.drives[1:]]
-    rows |= {f"P_bal_{link}": ("N", one) for link, one in zip(links, further, strict=True)}
+    for link, one in zip(links, further, strict=True):
+        rows |= {f"P_bal_{link}{method}": ("N", one) for method in ("", "_lever")}
+        rows[f"P_bal_{link}_difference"] = ("%", 0.0)
     rows[f"{letter}_bal_difference"] = ("%", 0.0)
     for column in table.keys() - {"P_tool", "advantage"}:
         unit, size = rows[column]

@@ -118,11 +118,12 @@ def _forces(drawn: Random, state: State, way: float, found: Any, k: int, note: A
         note("forces", abs(values[k] - names[name]), due.largest)
     first, *further = due.drives
     needs = {"forces": first, "lever": first}
-    needs |= {str(d["link"]): p for d, p in zip(drawn.judge.words.drives[1:], further, strict=True)}
+    for d, p in zip(drawn.judge.words.drives[1:], further, strict=True):
+        needs |= {str(d["link"]): p, f"{d['link']}_lever": p}
     assert {name[len("P_bal_") :] for name in found.balance} == set(needs)
     for name, values in found.balance.items():
         arm = drawn.judge.size if name.startswith("M") else 1.0
-        note("balance", abs(values[k] - needs[name.rpartition("_")[2]]), due.largest * arm)
+        note("balance", abs(values[k] - needs[name[len("P_bal_") :]]), due.largest * arm)
 
 
 def reactions(judge: Judge, due: Statics, names: Iterable[str]) -> dict[str, complex]:

@@ -19,6 +19,7 @@ from graphic_tmm.chapters.forces.plan import Forces, draw_forces
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.by_drive import draw_by_drive
 from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
@@ -98,6 +99,7 @@ def solve(
         mechanism,
         positions,
         velocities,
+        tuple(draw_by_drive(draft, mechanism, positions, velocities, turned=turned)),
         accelerations,
         mechanism.drive.sense if turned else 0,
         survey(mechanism, structure),
@@ -110,7 +112,7 @@ def solve(
     for view in log.views:
         if view.scale is not None:
             given[view.scale] = 1.0
-    given[forces.lever.times] = 2.5
+    given[forces.first.lever.times] = 2.5
     given[angle] = phi
     reading = execute(log, given)
     state = solve_fast(mechanism, phi, poses)
@@ -156,7 +158,7 @@ def errors(solved: Solved) -> dict[str, float]:
     arm = size if forces.order.balance == "moment" else 1.0
     balance = solved.number(forces.driven[0].balance)
     scale["balance"] = abs(balance - judge.balance) / arm
-    scale["lever"] = abs(solved.number(forces.lever.balance) - balance) / arm
+    scale["lever"] = abs(solved.number(forces.first.lever.balance) - balance) / arm
     return {name: _worse(0.0, value) / top for name, value in scale.items()}
 
 

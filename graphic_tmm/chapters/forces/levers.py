@@ -55,11 +55,15 @@ def _on(by: ByDrive, ground: Ground, force: Force) -> Force:
     """Return a force with the image of its point on the plan of one drive."""
     if by.motion is ground.velocities:
         return force
-    link, images = force.link, by.motion.images
-    known = ground.velocities.images.by_letter[link]
+    plan = by.motion
+    for group, image in ground.velocities.closed.items():
+        if image == force.image:
+            return force._replace(image=plan.closed[group])
+    known = ground.velocities.images.by_letter[force.link]
     letter = next(letter for letter, image in known.items() if image == force.image)
-    ground.draft.open(images.pole.view)
-    return force._replace(image=images.of(link, force.point, letter, image_letter(letter, link)))
+    ground.draft.open(plan.images.pole.view)
+    shown = image_letter(letter, force.link)
+    return force._replace(image=plan.images.of(force.link, force.point, letter, shown))
 
 
 def compared(

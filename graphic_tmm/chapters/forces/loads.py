@@ -132,16 +132,18 @@ class Acting:
 class Ground(NamedTuple):
     """What loads are drawn on: the board, the mechanism, its plans, how the velocity plan is turned.
 
+    ``by_drive``: velocities as each drive alone causes them.
     ``quarters``: right angles by which a vector of the velocity plan is turned into its true direction.
     ``survey``: the mechanism at any angles. ``numbers``: where each position stands in the row, which has so
     many ``turns`` of so many ``intervals``; ``steps``: of one that does not close, how far each position
-    is from the first. ``by_drive``: velocities as each drive alone causes them.
+    is from the first.
     """
 
     draft: Draft
     mechanism: Mechanism
     positions: Positions
     velocities: Motion
+    by_drive: tuple[ByDrive, ...]
     accelerations: Motion | None
     quarters: int
     survey: Survey
@@ -149,7 +151,6 @@ class Ground(NamedTuple):
     intervals: int
     turns: int = 1
     steps: np.ndarray | None = None
-    by_drive: tuple[ByDrive, ...] = ()
 
     @property
     def pairs(self) -> tuple[DrivenPair, ...]:

@@ -132,6 +132,7 @@ def _ground(bench: Bench, plans: KinematicPlans) -> Ground:
         plans.mechanism,
         plans.positions,
         plans.velocities,
+        plans.by_drive,
         plans.accelerations,
         plans.sense if bench.scene.turned else 0,
         plans.tried,
@@ -139,7 +140,6 @@ def _ground(bench: Bench, plans: KinematicPlans) -> Ground:
         plans.in_turn,
         plans.turns,
         plans.steps,
-        plans.by_drive,
     )
 
 

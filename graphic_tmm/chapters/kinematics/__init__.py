@@ -29,9 +29,10 @@ elsewhere by refining (`extremes`). Whether the mechanism assembles over the tur
 steps with two roots (`assembly`).
 
 Draws: places ``given`` (the table of what the scene gives, of all chapters), ``positions``, ``velocities``,
-``accelerations``, ``equations`` (``velocity equations`` and ``acceleration equations``, each with its plans),
-``velocity table``, ``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is
-the kernel's (`graphic_tmm.mechanism.structure`).
+``velocities by drive`` (of several drives: what each alone causes, added up), ``accelerations``, ``equations``
+(``velocity equations`` and ``acceleration equations``, each with its plans), ``velocity table``,
+``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is the kernel's
+(`graphic_tmm.mechanism.structure`).
 
 Sources: Артоболевский И. И., Теория механизмов и машин (кинематический анализ: планы положений, скоростей,
 ускорений); Попов С. А., Тимофеев Г. А., Курсовое проектирование по теории механизмов и механике машин.
@@ -41,6 +42,7 @@ from __future__ import annotations
 
 from graphic_tmm.chapters.kinematics.task import (
     ACCELERATIONS,
+    BY_DRIVE,
     GIVEN,
     KINEMATICS,
     POSITIONS,
@@ -64,6 +66,7 @@ CHAPTER = Chapter(
         Place(POSITIONS, 19),
         Place(VELOCITIES, 21),
         Place(ACCELERATIONS, 22),
+        Place(BY_DRIVE, shows=(VELOCITIES,)),
         Place(
             "equations",
             23,

@@ -1,4 +1,8 @@
-"""Velocities as each drive alone causes them, the others held: together they come to the plan of velocities."""
+"""Velocities as each drive alone causes them, the others held; added up they come to the plan of velocities.
+
+Velocities are linear in the rates of the drives (superposition), so each drive has a plan of its own, and what
+a point has by one of them is carried over to the end of what it has by the others.
+"""
 
 from __future__ import annotations
 
@@ -6,14 +10,30 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.grammar import READ, SLIDE, operation
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.task import BY_DRIVE
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import dissect
+
+
+@operation(
+    symbol=f"{READ} + N1 + {SLIDE} + M1 + R1 + M2",
+    why=said(
+        "Velocities are proportional to the rates of the drives: the velocity of a point is the sum of what "
+        "each drive alone gives it."
+    ),
+)
+def added_vector(start: Point, pole: Point, image: Point) -> Point:
+    """From {start} lay off the vector from {pole} to {image} of the plan of one drive; mark {it}."""
+    return Point(start + (image - pole))
 
 
 class ByDrive(NamedTuple):
@@ -44,3 +64,41 @@ def draw_by_drive(
             view = f"{BY_DRIVE} {drive.link}"
             plan = draw_velocities(draft, alone, structure, positions, turned=turned, view=view)
         yield ByDrive(driven(alone, structure), plan)
+
+
+class Summed(NamedTuple):
+    """The velocity of a point as a sum: the pole, then where the part of each drive ends; what it bears."""
+
+    pole: Mark
+    ends: tuple[Mark, ...]
+
+    @property
+    def parts(self) -> tuple[tuple[Mark, Mark], ...]:
+        """The ends of each part."""
+        return tuple(zip((self.pole, *self.ends), self.ends, strict=False))
+
+
+def draw_sums(draft: Draft, whole: Motion, by_drive: tuple[ByDrive, ...]) -> tuple[Summed, ...]:
+    """Add up the velocities of all points that are no fixed ones, in a view of their own."""
+    draft.open(BY_DRIVE)
+    pole = draft.take(Point, "p", 0j)
+    draft.lay_out(pole, whole.mu)
+    found = dict[Mark, Summed]()
+    for number, images in whole.images.by_letter.items():
+        for letter, image in images.items():
+            if image in found or image == whole.images.pole:
+                continue
+            parts = [one.motion.images for one in by_drive]
+            if any(letter not in part.by_letter[number] for part in parts):
+                continue
+            ends, end = list[Mark](), pole
+            for k, part in enumerate(parts):
+                last, own = k == len(parts) - 1, part.by_letter[number][letter]
+                name = image.letter if last else f"{image.letter}{PRIME * (k + 1)}"
+                end = draft.draw(added_vector, name, end, part.pole, own)
+                ends.append(end)
+            found[image] = Summed(pole, tuple(ends))
+    return tuple(found.values())
+
+
+PRIME = "′"

@@ -15,7 +15,7 @@ from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.by_drive import ByDrive, draw_by_drive
+from graphic_tmm.chapters.kinematics.by_drive import ByDrive, Summed, draw_by_drive, draw_sums
 from graphic_tmm.chapters.kinematics.drives import driven, follow
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
@@ -63,7 +63,7 @@ class KinematicPlans:
     row, over so many ``turns``; ``rows``: what tables are asked to tell besides; ``closed``: whether the
     row comes back to where it began, ``ends``: where one that does not begins and ends,
     ``steps``: how far each of its positions is from the first (° or m). ``by_drive``: velocities as each drive
-    causes them, where that is asked for.
+    causes them, where that is asked for, ``summed``: of each point.
     """
 
     mechanism: Mechanism
@@ -85,6 +85,7 @@ class KinematicPlans:
     ends: tuple[float, float] | None = None
     steps: np.ndarray | None = None
     by_drive: tuple[ByDrive, ...] = ()
+    summed: tuple[Summed, ...] = ()
 
     def plan_of(self, link: int) -> Motion:
         """Return the plan of velocities as the drive of a link alone causes them."""
@@ -199,12 +200,15 @@ def record(bench: Bench) -> KinematicPlans:
     _draw_trajectories(draft, positions, scene.trajectories, row.count // turns, closed=closes)
     velocities = accelerations = None
     called = bench.wanted | bench.needed.keys()
-    by_drive = tuple[ByDrive, ...]()
+    by_drive, summed = tuple[ByDrive, ...](), tuple[Summed, ...]()
     if called & {VELOCITIES, ACCELERATIONS, BY_DRIVE}:
         velocities = draw_velocities(draft, mechanism, structure, positions, turned=scene.turned)
         if BY_DRIVE in called:
             drawn = draw_by_drive(draft, mechanism, positions, velocities, turned=scene.turned)
             by_drive = tuple(drawn)
+        if BY_DRIVE in bench.wanted:
+            _refuse_sums(mechanism)
+            summed = draw_sums(draft, velocities, by_drive)
     gained = ACCELERATIONS in bench.wanted and mechanism.moves
     accelerated = chosen(row.accelerations, bench.names, ACCELERATIONS) if gained else ()
     wanted = accelerated or (ACCELERATIONS in bench.needed and mechanism.moves)
@@ -235,6 +239,7 @@ def record(bench: Bench) -> KinematicPlans:
         None if row.ends is None and not row.places else (float(values.min()), float(values.max())),
         None if closes else np.abs(values[0] - values[0, 0]),
         by_drive,
+        summed,
     )
     draft.given |= standing(made, values, carried=True)
     later = frozenset(made.repeated)
@@ -262,6 +267,16 @@ def closed(row: Row, pairs: Sequence[DrivenPair]) -> bool:
         return False
     ratios = (one.speed_ratio(first) for one in further)
     return all(one.sweep.closed for one in further) and all(ratio.is_integer() for ratio in ratios)
+
+
+def _refuse_sums(mechanism: Mechanism) -> None:
+    """Refuse to add up the velocities of several drives where one drives, or nothing moves."""
+    if not mechanism.further or mechanism.at_rest:
+        raise StructureError(
+            said('"velocities by drive" adds up what several drives that move cause: leave it out'),
+            "sheet",
+            head=BY_DRIVE,
+        )
 
 
 def _refuse_unknown_places(mechanism: Mechanism, row: Row) -> None:

@@ -19,6 +19,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.chapters.kinematics.task import (
     ACCELERATIONS,
+    BY_DRIVE,
     KINEMATICS,
     PLANS,
     POSITIONS,
@@ -121,11 +122,7 @@ def extents(project: Project, doubts: Doubts) -> Extents:
         (ACCELERATIONS, made.accelerations, places),
     ):
         if motion is not None and at:
-            lengths = _longest(project, plan, at, doubts)
-            if plan == VELOCITIES and made.mechanism.moves:  # to one scale, for they add up
-                apart = (_longest(project, one.mu.view, at, doubts) for one in made.apart)
-                lengths = np.fmax.reduce([lengths, *apart])
-            longest[plan], outliers[plan] = ruling(at, lengths)
+            longest[plan], outliers[plan] = ruling(at, _longest(project, plan, at, doubts))
     every = tuple(range(len(project.names)))
     by_drive = {
         view: ruling(every, _longest(project, view, every, doubts))[0]
@@ -309,6 +306,7 @@ SIZES = Sizing(
     depends={
         POSITIONS: lambda scene, role: (POSITIONS,),
         VELOCITIES: _velocities,
+        BY_DRIVE: _velocities,
         ACCELERATIONS: lambda scene, role: (ACCELERATIONS,),
     },
 )

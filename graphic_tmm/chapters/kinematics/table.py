@@ -11,12 +11,15 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import (
     ACCELERATIONS,
+    BY_DRIVE,
     EXTREMES,
     PLANS,
     POSITIONS,
     VELOCITIES,
 )
+from graphic_tmm.chapters.kinematics.words import ALONE
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.equations import components, quantity
@@ -98,11 +101,19 @@ TABLE = Tabled(columns=kinematic_columns)
 
 
 def _title(held: Holder, view: str, language: str) -> str:
-    """Return what the plan of velocities is called where a mechanism stands."""
+    """Return what the plan of velocities is called where a mechanism stands, and that of one drive."""
+    name, _, link = view.rpartition(" ")
+    if name == BY_DRIVE:
+        return speaking(language)(ALONE, link=link)
     rests = view == VELOCITIES and KINEMATICS_PLAN.on(held).mechanism.at_rest
     return captions(language)[f"{view} at rest"] if rests else ""
 
 
-PROTOCOL = Protocols(
-    views=lambda project: {plan: (plan,) for plan in (EXTREMES, *PLANS)}, titles=_title
-)
+def _views(project: Project) -> dict[str, tuple[str, ...]]:
+    """Return the views of the plans; those of single drives stand with the plan of velocities."""
+    plans, found = KINEMATICS_PLAN.on(project), {plan: (plan,) for plan in (EXTREMES, *PLANS)}
+    more = [*(one.mu.view for one in plans.apart), *[BY_DRIVE] * bool(plans.summed)]
+    return {**found, VELOCITIES: (VELOCITIES, *more)}
+
+
+PROTOCOL = Protocols(views=_views, titles=_title)

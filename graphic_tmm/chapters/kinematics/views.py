@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from graphic_tmm.chapters.kinematics.along import with_guides
 from graphic_tmm.chapters.kinematics.dead_places import dead_places
+from graphic_tmm.chapters.kinematics.ink_by_drive import draw_sums_ink
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_equations, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import (
@@ -19,11 +20,13 @@ from graphic_tmm.chapters.kinematics.table import UNITS, measured_vectors, plan_
 from graphic_tmm.chapters.kinematics.task import (
     ACCELERATIONS,
     ASKED,
+    BY_DRIVE,
     GIVEN,
     PLANS,
     POSITIONS,
     VELOCITIES,
 )
+from graphic_tmm.chapters.kinematics.words import ALONE, EACH_ALONE
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
@@ -129,7 +132,8 @@ def _plans(plan: str, caption: str, several: str, drawn: Drawn, lettered: bool) 
     reading = drawn.of(plan)
     if reading is None or plan not in drawn.scales:
         return []
-    scale, size = drawn.scales[plan], heights(drawn.scene, plan)
+    of, stands = (plan, plan) if plan in PLANS else (VELOCITIES, BY_DRIVE)
+    scale, size = drawn.scales[plan], heights(drawn.scene, stands)
     row = drawn.row(plan)
     left_out = {*drawn.undrawn, *KINEMATICS_PLAN.on(drawn).repeated}
     shown = [(k, drawn.names[p]) for k, p in enumerate(row) if p not in left_out]
@@ -142,12 +146,32 @@ def _plans(plan: str, caption: str, several: str, drawn: Drawn, lettered: bool) 
         ]
     views = []
     for name, title, stood in orders:
-        on = subject(drawn, title, plan, name=name)._replace(reading=reading)
-        view = finished(draw_plan(on, plan, stood, scale.value, UNITS[plan]), lettered)
+        on = subject(drawn, title, stands, name=name)._replace(reading=reading)
+        view = finished(draw_plan(on, plan, stood, scale.value, UNITS[of]), lettered)
         views.append(view._replace(position=row[stood[0].at] if len(stood) == 1 else None))
     mu = mu_text(scale, drawn.scene.language)
     told = [(escape(name), mu) for _, name in shown][: len(views)]
-    return in_rows(views, plan, several, told, size, "" if plan == VELOCITIES else VELOCITIES)
+    return in_rows(views, plan, several, told, size, VELOCITIES if plan == ACCELERATIONS else "")
+
+
+def by_drive_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the plans of velocities as each drive alone causes them, then the sums of points by positions."""
+    made, language = KINEMATICS_PLAN.on(drawn), drawn.scene.language
+    _, words = speaking(language), captions(language)
+    views = list[Drawing]()
+    for one in made.by_drive:
+        name = {"link": str(one.link)}
+        alone, several = _(ALONE, **name), _(EACH_ALONE, **name)
+        views += _plans(one.motion.mu.view, alone, several, drawn, lettered)
+    scale, high = drawn.scales[VELOCITIES], heights(drawn.scene, BY_DRIVE)
+    title = words[BY_DRIVE]
+    mu, sums, told = mu_text(scale, language), list[Drawing](), []
+    for k in (k for k in drawn.all if k not in {*drawn.undrawn, *made.repeated}):
+        own = f"{title}, {words['position']} {drawn.names[k]}"
+        on = subject(drawn, own, BY_DRIVE, name=f"{BY_DRIVE.replace(' ', '-')}-{drawn.names[k]}")
+        sums.append(finished(draw_sums_ink(on, made.summed, k), lettered))
+        told.append((escape(drawn.names[k]), mu))
+    return [*views, *in_rows(sums, BY_DRIVE, title, told, high)]
 
 
 def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -227,6 +251,7 @@ SHOWN = Views(
         GIVEN: given_views,
         POSITIONS: position_views,
         VELOCITIES: velocity_views,
+        BY_DRIVE: by_drive_views,
         ACCELERATIONS: acceleration_views,
         "equations": equation_views,
         "velocity equations": velocity_equations,

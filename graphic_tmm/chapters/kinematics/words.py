@@ -15,6 +15,7 @@ CAPTIONS: dict[str, str] = {
     "table positions": said("Positions from the plans"),
     "table velocities": said("Velocities from the plans"),
     "table accelerations": said("Accelerations from the plans"),
+    "velocities by drive": said("Velocities added up"),
     "velocities at rest": said("Plan of possible velocities"),
     "table velocities at rest": said("Possible velocities from the plans"),
     "positions in a turn": said("Positions"),
@@ -43,6 +44,11 @@ WORDS = Named(
     symbols=SYMBOLS,
 )
 
+ALONE, EACH_ALONE = (
+    said("Velocity plan, link {link} alone driving"),
+    said("Velocity plans, link {link} alone driving"),
+)
+"""What the plan of velocities of one drive is called, and more of them."""
 
 FRAME_AXIS = said("The points of the fixed link are laid off from {start} along this axis.")
 FROM_FIRST = said("The angles of the positions are counted from that of the first.")

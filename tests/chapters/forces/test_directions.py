@@ -169,7 +169,7 @@ def test_a_guide_of_two_links_is_refused(tmp_path: Path) -> None:
 
 def test_a_line_of_no_length_leaves_that_position_out(tmp_path: Path) -> None:
     made = drawn_of(read(scene_of(tmp_path, "along AC")), exact=True)
-    balance = made.reading[FORCES_PLAN.on(made).balance][0]
+    balance = made.reading[FORCES_PLAN.on(made).first.balance][0]
     assert np.isnan(balance[0])  # there A stands on C
     assert np.isfinite(balance[1:]).all()
     told = {(one.step.it.view, one.step.it.name): one.positions for one in made.findings()}

@@ -86,7 +86,7 @@ def test_the_lever_shows_all_points_of_the_plan_and_the_couples() -> None:
     assert {"p", "a", "b", "d", "e"} <= letters
     told = {dict(s.data).get("segment") for s in view.strokes}
     assert {
-        one.letter.translate({ord(c): None for c in "_{}"}) for one in made.lever.couples
+        one.letter.translate({ord(c): None for c in "_{}"}) for one in made.first.lever.couples
     } <= told
 
 

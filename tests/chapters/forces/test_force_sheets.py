@@ -349,7 +349,7 @@ def test_the_difference_of_both_methods_is_that_of_the_printed_sizes() -> None:
         for view in found:
             texts = [word for word in view.words if word.startswith("Δ = ")]
             for text in texts:
-                both = next(word for word in view.words if re.match(r"[PM]_(ур|b) = .*, ", word))
+                both = next(word for word in view.words if re.match(r"[PM]_(ур|b)\d* = .*, ", word))
                 first, second = (result(part) for part in both.split(", "))
                 apart = worked(text.split(" ")[2])
                 percent = 100.0 * abs(first.value - second.value) / first.value

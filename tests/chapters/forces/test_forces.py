@@ -46,7 +46,7 @@ def test_friction_settles_at_the_judges_equilibrium(many: Callable[[int, int], i
         one = weighed(drawn, k)
         order = order_of(one, gravity=True, inertia=True, friction=rubbing(drawn, 0.1, 20))
         solved = solve(one, drawn.phi, drawn.poses, order, turned=bool(k % 2))
-        assert math.isfinite(solved.number(solved.forces.balance)), (k, drawn.kinds)
+        assert math.isfinite(solved.number(solved.forces.first.balance)), (k, drawn.kinds)
         assert max(errors(solved).values()) <= RATIO, (k, drawn.kinds)
 
 
@@ -61,7 +61,7 @@ def test_after_two_passes_the_rest_is_within_what_is_reported(
         solved = solve(one, drawn.phi, drawn.poses, order)
         open_ = solved.forces.open
         assert open_ is not None
-        found, rest = solved.number(solved.forces.balance), solved.number(open_)
+        found, rest = solved.number(solved.forces.first.balance), solved.number(open_)
         if not math.isfinite(found):
             continue
         told += 1
@@ -78,7 +78,9 @@ def test_no_friction_equals_none() -> None:
         with_ = solve(one, drawn.phi, drawn.poses, nothing)
         for a, b in zip(without.forces.reactions, with_.forces.reactions, strict=True):
             assert without.number(a.value) == with_.number(b.value)
-        assert without.number(without.forces.balance) == with_.number(with_.forces.balance)
+        assert without.number(without.forces.first.balance) == with_.number(
+            with_.forces.first.balance
+        )
 
 
 @pytest.mark.slow
@@ -89,9 +91,11 @@ def test_friction_opposes_and_costs_power(many: Callable[[int, int], int]) -> No
         rough = order_of(one, gravity=True, friction=rubbing(drawn, 0.05, 12))
         solved = solve(one, drawn.phi, drawn.poses, rough)
         speed = drawn.mechanism.drive.speed
-        more = (solved.number(solved.forces.balance) - plain.number(plain.forces.balance)) * speed
+        more = (
+            solved.number(solved.forces.first.balance) - plain.number(plain.forces.first.balance)
+        ) * speed
         top = max(abs(f) for f in solved.judge.reactions.values()) * abs(speed)
-        if abs(plain.number(plain.forces.balance) * speed) > 1e-9 * top:
+        if abs(plain.number(plain.forces.first.balance) * speed) > 1e-9 * top:
             assert more >= -1e-9 * top, (k, drawn.kinds)
 
 
@@ -111,9 +115,9 @@ def test_near_self_locking_the_answer_is_the_judges_or_none(
         except StaticsError:
             refused += 1
             found = solve(one, drawn.phi, drawn.poses, order, judged=False)
-            assert not math.isfinite(found.number(found.forces.balance)), (k, f)
+            assert not math.isfinite(found.number(found.forces.first.balance)), (k, f)
             continue
-        found_p = solved.number(solved.forces.balance)
+        found_p = solved.number(solved.forces.first.balance)
         if math.isfinite(found_p) and f <= 0.3:
             assert max(errors(solved).values()) <= RATIO, (k, f)
     assert refused == 0 or f >= 0.3
@@ -191,7 +195,7 @@ def test_an_effect_that_is_switched_on_changes_what_it_should(effect: str) -> No
 def balance(scene: Scene, exact: bool = True) -> float:
     made = drawn_of(scene, exact=exact)
     assert FORCES_PLAN.of(made) is not None
-    return float(made.reading[FORCES_PLAN.on(made).balance][0, 8])
+    return float(made.reading[FORCES_PLAN.on(made).first.balance][0, 8])
 
 
 # the windrower
@@ -230,7 +234,7 @@ def test_with_the_documents_lengths_it_takes_1786() -> None:
 def test_with_a_ruler_of_half_a_millimetre_both_methods_agree_within_five_percent() -> None:
     made = drawn_of(replace(WINDROWER, ruler=0.5))
     assert FORCES_PLAN.of(made) is not None
-    apart = float(made.reading[FORCES_PLAN.on(made).difference][0, 8])
+    apart = float(made.reading[FORCES_PLAN.on(made).first.difference][0, 8])
     assert 0.0 < apart < 5.0
 
 
@@ -248,7 +252,7 @@ def test_couples_as_pairs_of_forces_change_no_answer() -> None:
     for one in (scene, pairs):
         made = drawn_of(one, exact=True)
         assert FORCES_PLAN.of(made) is not None
-        found.append(made.reading[FORCES_PLAN.on(made).lever.balance])
+        found.append(made.reading[FORCES_PLAN.on(made).first.lever.balance])
     np.testing.assert_allclose(*found, rtol=1e-11)
 
 
@@ -261,7 +265,7 @@ def test_no_load_at_all_is_a_polygon_of_a_point() -> None:
     one = Loaded(replace(drawn.mechanism, links=links), [], [])
     solved = solve(one, drawn.phi, drawn.poses, order_of(one, gravity=True, inertia=True))
     assert all(solved.number(r.value) == 0.0 for r in solved.forces.reactions)
-    assert solved.number(solved.forces.balance) == 0.0
+    assert solved.number(solved.forces.first.balance) == 0.0
 
 
 @pytest.mark.parametrize("size", [1e-6, 1.0, 1e9])
@@ -280,7 +284,7 @@ def test_parallel_unknown_forces_are_a_finding() -> None:
     places = replace(scene.sheets[0], place=(*scene.sheets[0].place, "forces"))
     made = drawn_of(replace(scene, sheets=(places,)).asking(forces=order), exact=True)
     assert FORCES_PLAN.of(made) is not None
-    values = made.reading[FORCES_PLAN.on(made).balance]
+    values = made.reading[FORCES_PLAN.on(made).first.balance]
     for k in range(values.shape[1]):
         named = [f for f in made.findings() if k in f.positions]
         assert np.isfinite(values[0, k]) or named

@@ -173,11 +173,11 @@ def test_oil_between_piston_and_cylinder(tmp_path: Path, friction: str) -> None:
     turning = 0.04j * np.exp(1j * angles)
     rate = (apart.conj() * turning).real / np.abs(apart)  # of the length by the angle
     forces = FORCES_PLAN.on(made)
-    lever = made.reading[forces.lever.balance][0]
+    lever = made.reading[forces.first.lever.balance][0]
     if friction == "false":
         np.testing.assert_allclose(lever * 0.04, 500.0 * rate, atol=1e-9)
-    np.testing.assert_allclose(lever, made.reading[forces.balance][0], rtol=1e-4, atol=1e-6)
-    carried = [one.letter for one in forces.lever.forces]
+    np.testing.assert_allclose(lever, made.reading[forces.first.balance][0], rtol=1e-4, atol=1e-6)
+    carried = [one.letter for one in forces.first.lever.forces]
     assert len(set(carried)) == len(carried)
     assert {"F_{32}", "F_{23}"} <= set(carried)
     assert ("F_{f32}" in carried) == (friction == "true")
@@ -186,7 +186,7 @@ def test_oil_between_piston_and_cylinder(tmp_path: Path, friction: str) -> None:
 def test_a_pair_on_the_frame_is_a_load(tmp_path: Path) -> None:
     pair = drawn(tmp_path, PUSH + 'from = 0\nfrom_point = "C"\ndirection = "along DC"')
     load = drawn(tmp_path, PUSH + 'direction = "along DC"')
-    both = (made.reading[FORCES_PLAN.on(made).balance][0] for made in (pair, load))
+    both = (made.reading[FORCES_PLAN.on(made).first.balance][0] for made in (pair, load))
     np.testing.assert_allclose(*both, rtol=1e-12)
 
 
@@ -235,7 +235,7 @@ def test_a_moment_has_no_line_of_action(tmp_path: Path) -> None:
 def test_a_force_and_its_opposite_may_be_told_from_either_end(tmp_path: Path) -> None:
     pair = 'from = 3\nfrom_point = "C"\ndirection = "{}"\n'
     values = [
-        made.reading[FORCES_PLAN.on(made).balance][0]
+        made.reading[FORCES_PLAN.on(made).first.balance][0]
         for way in ("along DC", "180 deg to CD", "along CD")
         for made in [drawn(tmp_path, PUSH + pair.format(way))]
     ]

@@ -42,7 +42,7 @@ def force(made: Drawn, letter: str) -> np.ndarray:
 
 def balance(made: Drawn) -> np.ndarray:
     assert FORCES_PLAN.of(made) is not None
-    return made.reading[FORCES_PLAN.on(made).balance][0]
+    return made.reading[FORCES_PLAN.on(made).first.balance][0]
 
 
 def test_against_the_velocity_of_a_slider() -> None:

@@ -147,7 +147,7 @@ def test_the_power_is_that_of_the_length(tmp_path: Path, between: str, more: str
     force = 1000.0 * (length(phi) - 0.1) + 25.0 * ("force" in more)
     force = force + 80.0 * 15.0 * by_phi * ("damping" in more)
     forces = FORCES_PLAN.on(made)
-    for found in (forces.balance, forces.lever.balance):
+    for found in (forces.first.balance, forces.first.lever.balance):
         np.testing.assert_allclose(made.reading[found][0] * 0.04, force * by_phi, atol=1e-9)
 
 
@@ -162,7 +162,7 @@ def test_springs_between_the_same_points_bear_letters_of_their_own(
     assert [one.letter for one in forces.loads.forces] == due
     assert [one.value.letter for one in forces.loads.forces] == due
     assert [one.line.name for one in forces.loads.forces] == [f"({letter})" for letter in due]
-    assert [one.letter for one in forces.lever.forces] == due
+    assert [one.letter for one in forces.first.lever.forces] == due
 
 
 def test_a_rate_in_newtons_a_millimetre(tmp_path: Path) -> None:
@@ -176,7 +176,7 @@ def test_ends_that_come_together_leave_that_position_out(tmp_path: Path) -> None
     file = tmp_path / "scene.toml"
     file.write_text(told.replace("C = [0.16, 0]", "C = [0.16, 0]\nK = [0.04, 0]"), encoding="utf8")
     made = drawn(file)
-    balance = made.reading[FORCES_PLAN.on(made).balance][0]
+    balance = made.reading[FORCES_PLAN.on(made).first.balance][0]
     assert np.isnan(balance[0])
     assert np.isfinite(balance[1:]).all()
     assert any(one.step.it.name == "(F_{AK})" and one.positions == (0,) for one in made.findings())
@@ -332,7 +332,7 @@ def test_with_friction_both_methods_agree(tmp_path: Path) -> None:
     file.write_text(told, encoding="utf8")
     made = drawn(file)
     forces = FORCES_PLAN.on(made)
-    found = [made.reading[one][0] for one in (forces.balance, forces.lever.balance)]
+    found = [made.reading[one][0] for one in (forces.first.balance, forces.first.lever.balance)]
     np.testing.assert_allclose(*found, rtol=1e-6, atol=1e-9)
     phi, step = np.arange(8) * np.pi / 4, 1e-40
     by_phi = length(phi + 1j * step).imag / step

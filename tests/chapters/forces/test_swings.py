@@ -135,7 +135,7 @@ def test_sizes_and_balance_in_a_row_and_at_any_angle(seed: int, tmp_path: Path) 
     for mark, wanted in zip(forces.loads.given, (moment, force), strict=True):
         np.testing.assert_allclose(made.reading[mark][0], wanted, rtol=1e-8)
     needed = balance(of, moment, force, phi)
-    for mark in (forces.balance, forces.lever.balance):
+    for mark in (forces.first.balance, forces.first.lever.balance):
         np.testing.assert_allclose(
             made.reading[mark][0], needed, rtol=1e-6, atol=1e-7 * np.abs(needed).max()
         )
@@ -254,7 +254,7 @@ def test_a_load_by_time_is_that_at_the_turns_of_an_even_crank(tmp_path: Path) ->
     passed = np.arange(16) * whole / 16
     wanted = np.interp(passed, [0.0, 0.05, 0.12, whole], [5.0, 90.0, 20.0, 5.0])
     np.testing.assert_allclose(made.reading[mark][0], wanted, rtol=1e-8)
-    moment = FORCES_PLAN.on(made).balance
+    moment = FORCES_PLAN.on(made).first.balance
     phi = np.radians(17.0 + 22.5 * np.arange(16) * np.sign(of.omega))
     needed = -wanted * np.radians(_rate(of.swing, phi))
     np.testing.assert_allclose(made.reading[moment][0], needed, rtol=1e-5, atol=1e-6)

@@ -150,9 +150,9 @@ def test_readings_leave_little_at_the_drive() -> None:
     due = 100.0 * np.abs(table["M_bal_left"].value[0]) / 10.0  # N·m, of the crank
     np.testing.assert_allclose(apart, due, atol=0.051)  # told to a tenth
     made = drawn_of(graphic_tmm.read(CLAMP))
-    forces = FORCES_PLAN.on(made)
+    one = FORCES_PLAN.on(made).first
     apart, left, whole = (
-        made.reading[mark][0] for mark in (forces.difference, forces.balance, forces.lever.balance)
+        made.reading[mark][0] for mark in (one.difference, one.balance, one.lever.balance)
     )
     np.testing.assert_allclose(apart, 100.0 * np.abs(left / whole), rtol=1e-12)
     np.testing.assert_allclose(np.abs(whole), 10.0, rtol=0.01)

@@ -77,7 +77,7 @@ def test_every_slider_is_loaded_from_its_own_dead_centre(
         np.testing.assert_allclose(found, wanted, rtol=1e-8)
         moment += np.abs(star.speed(k, phi, omega)) * wanted / omega
     forces = FORCES_PLAN.on(made)
-    for mark in (forces.balance, forces.lever.balance):
+    for mark in (forces.first.balance, forces.first.lever.balance):
         np.testing.assert_allclose(made.reading[mark][0], moment, rtol=1e-7)
 
 
@@ -186,7 +186,7 @@ def test_a_load_over_two_turns_draws_both(tmp_path: Path) -> None:
     wanted = np.interp(turned, (0.0, 360.0, 720.0), (0.0, 4000.0, 0.0))
     np.testing.assert_allclose(sizes(made)[0], wanted, rtol=1e-12)
     moment = wanted * star.speed(1, np.radians(17.0 + turned), OMEGA) / OMEGA
-    found = made.reading[FORCES_PLAN.on(made).balance][0]
+    found = made.reading[FORCES_PLAN.on(made).first.balance][0]
     np.testing.assert_allclose(found, moment, rtol=1e-6, atol=1e-7)
 
 
