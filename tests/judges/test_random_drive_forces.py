@@ -44,9 +44,8 @@ def test_forces_along_a_row(kind: str) -> None:
         letter, arm = ("M", found.judge.size) if moment else ("P", 1.0)
         further = found.judge.words.drives[1:]
         names = {f"{letter}_bal_{name}": due.drives[0] for name in ("forces", "lever")}
-        names |= {
-            f"{letter}_bal_{d['link']}": p for d, p in zip(further, due.drives[1:], strict=True)
-        }
+        for d, p in zip(further, due.drives[1:], strict=True):
+            names |= {f"{letter}_bal_{d['link']}{method}": p for method in ("", "_lever")}
         for name, balance in names.items():
             value = table[name].value[0, k]
             assert value == pytest.approx(balance, abs=1e-8 * due.largest * arm), (k, name)

@@ -390,12 +390,10 @@ def test_any_wrong_value_gives_faults_in_words(name, data):
         assert build.scene(parts, "").mechanism.links
 
 
-@pytest.mark.parametrize(
-    ("number", "says"), [(10**30, f"no link {10**30}"), (10**400, "no link of so large a number")]
-)
-def test_a_link_number_of_any_size_is_looked_up(tmp_path: Path, number: int, says: str) -> None:
+@pytest.mark.parametrize(("n", "says"), [(30, f"{10**30}"), (400, "of so large a number")])
+def test_a_link_number_of_any_size_is_looked_up(tmp_path: Path, n: int, says: str) -> None:
     text = (SHEETS / "engine" / "scene.toml").read_text(encoding="utf-8")
     path = tmp_path / "scene.toml"
-    path.write_text(text.replace('on = "frame"', f"on = {number}"), encoding="utf-8")
-    with pytest.raises(SceneError, match=f"there is {says}"):
+    path.write_text(text.replace('on = "frame"', f"on = {10**n}"), encoding="utf-8")
+    with pytest.raises(SceneError, match=f"there is no link {says}"):
         read(path)

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
 import os
+from collections.abc import AsyncIterator
 from pathlib import Path
 from typing import Any
 
 import pytest
+import watchfiles
 from support.served import SMALL, Browser, opened, run, small
 
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
 from graphic_tmm.serve import jobs
+from graphic_tmm.serve.kept import hashed
 from graphic_tmm.studio import composed_sheets
 
 
@@ -231,5 +235,29 @@ def test_an_edit_that_is_taken_back_amid_its_drawing_leaves_the_sheets_of_before
                     break
             await follow.aclose()  # type: ignore[attr-defined]
             assert (state["sheets"], state["page"]) == (first["sheets"], first["page"])
+
+    run(serving)
+
+
+def test_what_changes_before_a_folder_is_watched_is_seen(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nobody tells of it: between a look at the files and the watch over their folders anything may change."""
+    file, awatch, looked = small(tmp_path), watchfiles.awatch, asyncio.Event()
+
+    async def late(*folders: Path, **options: Any) -> AsyncIterator[object]:
+        await looked.wait()
+        file.write_text(SMALL.replace("0.1 m", "0.12 m"), encoding="utf-8")
+        async for changes in awatch(*folders, **options):
+            yield changes
+
+    monkeypatch.setattr(watchfiles, "awatch", late)
+
+    async def serving() -> None:
+        async with opened(file) as (browser, _):
+            first = await browser.settled("small")
+            looked.set()
+            second = await browser.settled("small", lambda one: one["version"] > first["version"])
+            assert second["text_version"] == hashed(file.read_bytes()) != first["text_version"]
 
     run(serving)
