@@ -182,8 +182,11 @@ def _rubbing(q: float, passes: int) -> tuple[Solved, complex, Any]:
 @pytest.mark.parametrize("q", [0.01, 0.1, 0.5, 0.9, 0.99])
 def test_what_the_passes_leave_open_holds_the_truth(q: float, passes: int) -> None:
     solved, due, told = _rubbing(q, passes)
-    assert solved.forces.open is not None
-    value, left = solved.number(solved.forces.first.balance), solved.number(solved.forces.open)
+    assert solved.forces.first.open is not None
+    value, left = (
+        solved.number(solved.forces.first.balance),
+        solved.number(solved.forces.first.open),
+    )
     if math.isnan(value):
         assert q > 0.5
         assert any("do not settle" in f.step.op.fails for f in told)

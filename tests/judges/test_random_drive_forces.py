@@ -9,7 +9,7 @@ import pytest
 from judges.test_random_drives import POSITIONS, WAYS, judged, random_of
 from support.against_judge import clear
 from support.free_bodies import Judge
-from support.free_forces import statics
+from support.free_forces import Rough, UnsettledError, statics
 
 import graphic_tmm
 
@@ -126,3 +126,59 @@ def test_rates_of_each_position(kind: str, seed: int) -> None:
                     k,
                     name,
                 )
+
+
+ROUGH = 0.05
+"""How rough every pair is; its pins have a fiftieth of the mechanism's size."""
+
+
+@pytest.mark.parametrize(
+    "kind", ["rod", *(pytest.param(k, marks=pytest.mark.slow) for k in WAYS if k != "rod")]
+)
+@pytest.mark.parametrize(
+    "seed", [3, *(pytest.param(k, marks=pytest.mark.slow) for k in range(4, 12))]
+)
+def test_friction_of_any_drives(kind: str, seed: int) -> None:
+    """Twelve passes come within what they leave open of the judge's two hundred; η is a ratio of powers."""
+    found, scene = random_of(kind, seed, forces=True)
+    judge = found.judge
+    scene["effects"] = {**scene.get("effects", {}), "friction": True}
+    scene["friction"] = {"f": ROUGH, "radius": f"{0.02 * judge.size!r} m", "passes": 12}
+    links = [drive["link"] for drive in judge.words.drives]
+    rough = {letter: Rough(ROUGH, 0.02 * judge.size) for letter, _, _ in judge.pins}
+    rough |= {
+        slide.name: Rough(ROUGH)
+        for slide in judge.slides
+        if slide.on == 0 or judge.words.bodies[slide.slider].number not in links
+    }
+    table = graphic_tmm.draw(graphic_tmm.read(scene), exact=True).table("forces")
+    ends = found.walked[0][0], found.walked[-1][0]
+    first, last = ends if judge.drives[0].rate > 0 else ends[::-1]
+    letter, arm = ("M", judge.size) if judge.words.balance == "moment" else ("P", 1.0)
+    stems = [f"{letter}_bal_forces", *(f"{letter}_bal_{link}" for link in links[1:])]
+    opens = [f"{letter}_bal_open", *(f"{stem}_open" for stem in stems[1:])]
+    levers = [f"{letter}_bal_lever", *(f"{stem}_lever" for stem in stems[1:])]
+    compared = 0
+    for k, way in enumerate(np.linspace(first, last, POSITIONS)):
+        state, turned = found.solved(way), math.degrees(abs(way - first))
+        try:
+            smooth, due = (statics(judge, state, turned, how) for how in (None, rough))
+        except UnsettledError:
+            continue
+        values = [table[stem].value[0, k] for stem in stems]
+        if not np.isfinite(values).all():
+            continue  # passes that do not settle
+        compared += 1
+        for value, wanted, left, lever in zip(values, due.drives, opens, levers, strict=True):
+            still = np.nan_to_num(table[left].value[0, k])  # none where only rounding is left of it
+            near = 1.5 * still + 1e-9 * due.largest * arm
+            assert value == pytest.approx(wanted, abs=near), (k, left)
+            assert table[lever].value[0, k] == pytest.approx(value, abs=near), (k, lever)
+        if letter == "M" or not any(drive.kind == "turn" for drive in judge.drives):
+            rates = [drive.rate for drive in judge.drives]
+            both = [float(np.dot(one.drives, rates)) for one in (smooth, due)]
+            share = 100.0 * min(both, key=abs) / max(both, key=abs)
+            told = table["efficiency"].value[0, k]
+            assert np.isnan(told) == (share < 0.0 or abs(both[0]) > abs(both[1]) > 0.0 < both[0])
+            assert np.isnan(told) or told == pytest.approx(share, abs=0.1)
+    assert compared >= POSITIONS // 2

@@ -46,6 +46,10 @@ class Statics(NamedTuple):
     power: float
 
 
+class UnsettledError(ArithmeticError):
+    """Friction and reactions that do not come to rest: the links lock, or come near to it."""
+
+
 class Rough(NamedTuple):
     """How rough a pair is: its coefficient of friction, the radius of its pin (m)."""
 
@@ -80,8 +84,10 @@ def statics(
     found = solved(matrix, -_column(state, acting)[:, None])[:, 0]
     rubbing: list[Wrench] = []
     for _ in range(200 if rough else 0):
-        rubbing = _rubbing(judge, state, found, rough or {})
+        rubbing, before = _rubbing(judge, state, found, rough or {}), found
         found = solved(matrix, -_column(state, [*acting, *rubbing])[:, None])[:, 0]
+    if rough and np.abs(found - before).max() > 1e-10 * np.abs(found).max():
+        raise UnsettledError
     acting += rubbing
     reactions: dict[Both, complex] = {}
     for ((i, j), wrenches), size in zip(pairs, found, strict=False):

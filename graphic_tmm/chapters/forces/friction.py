@@ -156,6 +156,8 @@ class Rub:
 
     def _guide(self, joint: Joint, reaction: Reaction, made: Rubbing) -> None:
         assert reaction.normal is not None
+        if not self._moves(joint):
+            return
         segment = (
             self.velocities.readings[guide_leg(joint).link]
             if joint.closing is not None
@@ -163,6 +165,10 @@ class Rub:
         )
         f = self._coefficient(joint.pair.name)
         made.slopes[joint.links] = Slope(f, reaction.normal, segment, self.pin_speed)
+
+    def _moves(self, joint: Joint) -> bool:
+        """Whether a pair is no held slider's: nothing rubs there."""
+        return joint.closing is not None or joint.links[0] in self.velocities.driven
 
     def along_guides(
         self, found: tuple[Joint, ...], reactions: Reactions, taken: Container[str]
@@ -173,7 +179,8 @@ class Rub:
         """
         made = []
         for joint in found:
-            if joint.pair.kind == "P" and self.friction.f.get(joint.pair.name, 0.0) > 0.0:
+            rough = self.friction.f.get(joint.pair.name, 0.0) > 0.0
+            if joint.pair.kind == "P" and rough and self._moves(joint):
                 made += self._along(joint, reactions[(*joint.links, joint.pair.name)], taken)
         return made
 

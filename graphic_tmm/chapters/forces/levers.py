@@ -20,12 +20,16 @@ from graphic_tmm.chapters.kinematics.motion import image_letter
 
 
 class Balanced(NamedTuple):
-    """A drive balanced by both methods: P_b (N) or M_b (N·m) by groups, its lever, their difference (%)."""
+    """A drive balanced by both methods: P_b (N) or M_b (N·m) by groups, its lever, their difference (%).
+
+    ``open``: by how much further passes of friction can change what the groups have; None without friction.
+    """
 
     driven: Driven
     balance: Mark
     lever: Lever
     difference: Mark
+    open: Mark | None = None
 
     @property
     def view(self) -> str:
@@ -67,7 +71,13 @@ def _on(by: ByDrive, ground: Ground, force: Force) -> Force:
 
 
 def compared(
-    ground: Ground, driven: Driven, balance: Mark, lever: Lever, *, left: bool = False
+    ground: Ground,
+    driven: Driven,
+    balance: Mark,
+    lever: Lever,
+    open_: Mark | None,
+    *,
+    left: bool,
 ) -> Balanced:
     """Compare what balances a drive by both methods; ``left``: nothing is due, and what is left is compared."""
     ground.draft.open(lever.pole.view)
@@ -75,4 +85,4 @@ def compared(
     if left:
         op, both = left_percent, (balance, lever.balance)
     difference = ground.draft.draw(op, "Δ", *both, unit="%")
-    return Balanced(driven, balance, lever, difference)
+    return Balanced(driven, balance, lever, difference, open_)

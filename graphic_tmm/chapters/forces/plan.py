@@ -6,14 +6,18 @@ reactions of the pass before cause.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple
 
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.operations.formulas import product
 from graphic_tmm.board.operations.statics import efficiency, settled, still_open
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.roles import DETACHED, FORCE_POLYGON
+from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import friction, lever, loads
+from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.driving import Alone, Driven, Place, solve_drives
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
@@ -25,6 +29,8 @@ from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask, Friction
 from graphic_tmm.chapters.forces.tool import Tool, draw_line, draw_tool
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder
 from graphic_tmm.chapters.kinematics.bodies import dyads
+from graphic_tmm.chapters.kinematics.drives.crank import Crank
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
 from graphic_tmm.errors import StructureError
@@ -44,10 +50,9 @@ class Forces:
     ``balanced``: every drive by kinetostatics and by its lever. ``tool``: an unknown force, if one is sought:
     then the groups leave nothing at the drive if all is right, and the difference is the share of what they
     leave in what balances the known loads there.
-    ``open``: by how much further passes of friction can change it; ``efficiency`` in %. ``acting``: the forces
-    and couples on each link, reactions handed on among them; ``circles``: radii of friction (m) by pin;
-    ``places``: the positions (indices) at which forces are asked for; ``views``: those of the board in which
-    they are drawn, of earlier passes too.
+    ``acting``: the forces and couples on each link, reactions handed on among them; ``efficiency``: in %, with
+    friction; ``circles``: radii of friction (m) by pin; ``places``: the positions (indices) at which forces
+    are asked for; ``views``: those of the board in which they are drawn, of earlier passes too.
     """
 
     order: ForcesTask
@@ -55,7 +60,6 @@ class Forces:
     groups: tuple[Solved, ...]
     balanced: tuple[Balanced, ...]
     acting: Acting
-    open: Mark | None = None
     efficiency: Mark | None = None
     circles: dict[Mark, Mark] | None = None
     places: tuple[int, ...] = ()
@@ -204,10 +208,12 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
         tried = None if k == count else k
         passes.append(_solve(ground, order, acting, rubbing, figures, tried))
     last = passes[-1]
-    balances = [one.balance for one in last.driven]
-    open_ = share = None
+    balances: list[Mark] = [one.balance for one in last.driven]
+    opens: Sequence[Mark | None] = [None] * len(balances)
+    share = None
     if friction is not None:
-        balances[0], open_, share = _settle(ground, passes, order.balance)
+        balances, opens = _settle(ground, passes)
+        share = _efficiency(ground, passes[0], balances)
     if tool is None:
         slid = []
         if rub is not None:
@@ -217,7 +223,7 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
         levers = draw_levers(ground, order, [*loads.on_lever, *slid], couples)
     balanced = tuple(
         compared(ground, *one, left=tool is not None)
-        for one in zip(last.driven, balances, levers, strict=True)
+        for one in zip(last.driven, balances, levers, opens, strict=True)
     )
     circles = None
     if rub is not None:
@@ -229,7 +235,6 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
         last.groups,
         balanced,
         last.acting,
-        open_,
         share,
         circles,
         tool=tool,
@@ -242,16 +247,20 @@ def _rub(ground: Ground, friction: Friction) -> Rub:
     Raises
     ------
     StructureError
-        If there are several drives.
+        If several drives stand: nothing tells which way pairs would rub.
     """
     first, *further = ground.pairs
-    if further:
+    if further and ground.mechanism.at_rest:
         raise StructureError(
-            said("friction is drawn of mechanisms with one drive: leave [friction] out"),
+            said(
+                "where several drives stand nothing tells which way pairs rub: give them speeds, or leave "
+                "[friction] out"
+            ),
             "effects.friction",
             head="friction",
         )
-    return Rub(ground.draft, (ground.positions, ground.velocities), friction, first)
+    moves = next((pair for pair in ground.pairs if not pair.held and pair.speed), first)
+    return Rub(ground.draft, (ground.positions, ground.velocities), friction, moves)
 
 
 def _solve(
@@ -310,16 +319,53 @@ def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str
     return made
 
 
-def _settle(ground: Ground, passes: list[_Pass], kind: str) -> tuple[Mark, Mark, Mark]:
-    """Tell what further passes can change, refuse what does not settle, and find the efficiency."""
+def _settle(ground: Ground, passes: list[_Pass]) -> tuple[list[Mark], list[Mark]]:
+    """Tell what further passes can change of each drive, and refuse what does not settle."""
     draft = ground.draft
     draft.open("friction")
-    unit, letter = ("N", "P_b") if kind == "force" else ("N·m", "M_b")
-    last, before, first = (done.driven[0].balance for done in reversed(passes[-3:]))
-    open_ = draft.draw(still_open, f"Δ{letter}", last, before, first, unit=unit)
-    balance = draft.draw(settled, letter, last, open_, unit=unit)
-    link = ground.mechanism.drive.link
-    speed = ground.velocities.rates.get(link) or ground.velocities.speeds[link]
-    without = passes[0].driven[0].balance
-    share = draft.draw(efficiency, "η", without, balance, speed, unit="%")
-    return balance, open_, share
+    opens, settling = list[Mark](), list[Mark]()
+    for k, pair in enumerate(ground.pairs):
+        last, before, first = (done.driven[k].balance for done in reversed(passes[-3:]))
+        index = f"{{b{pair.link}}}" if len(ground.pairs) > 1 else "b"
+        letter = f"{'P' if last.unit == 'N' else 'M'}_{index}"
+        opens.append(draft.draw(still_open, f"Δ{letter}", last, before, first, unit=last.unit))
+        settling.append(draft.draw(settled, letter, last, opens[-1], unit=last.unit))
+    return settling, opens
+
+
+def _efficiency(ground: Ground, first: _Pass, balances: list[Mark]) -> Mark:
+    """Calculate the efficiency: of several drives by the sums of their powers."""
+    draft, without = ground.draft, [one.balance for one in first.driven]
+    speeds = [
+        _speed(ground, pair, force.unit) for pair, force in zip(ground.pairs, without, strict=True)
+    ]
+    if len(balances) == 1 and speeds[0] is not None:
+        return draft.draw(efficiency, "η", without[0], balances[0], speeds[0], unit="%")
+    both = [
+        _power(ground, forces, speeds, letter)
+        for forces, letter in ((without, "N^{(0)}"), (balances, "N"))
+    ]
+    return draft.draw(efficiency, "η", *both, draft.take(Number, "1", 1.0), unit="%")
+
+
+def _speed(ground: Ground, pair: DrivenPair, unit: str) -> Mark | None:
+    """Return by what the balance of a drive is multiplied to be a power; None if the drive is held."""
+    plan, several = ground.velocities, len(ground.pairs) > 1
+    if not isinstance(pair, Crank):
+        return plan.speeds.get(pair.link)
+    rate = plan.rates.get(pair.link)
+    if rate is None or not several or unit != "N":
+        return rate
+    arm = pair.real_arm(ground.draft, ground.positions)
+    return ground.draft.draw(product, f"v_{pair.pin}", rate, arm, unit="m/s")
+
+
+def _power(ground: Ground, forces: list[Mark], speeds: list[Mark | None], letter: str) -> Mark:
+    draft, total = ground.draft, None
+    for pair, force, speed in zip(ground.pairs, forces, speeds, strict=True):
+        if speed is not None:
+            own = f"{letter.replace('N', f'N_{pair.link}')}"
+            power = draft.draw(product, own, force, speed, unit="W", why=why.POWER)
+            total = power if total is None else draft.draw(added, letter, total, power, unit="W")
+    assert total is not None
+    return total

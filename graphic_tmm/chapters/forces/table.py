@@ -77,10 +77,13 @@ def force_columns(drawn: Drawn, everywhere: bool = False) -> tuple[Column, ...]:
         told = row_of(np.abs(value) if row.size else value, there, count)
         found.append(Column(PLAN, row.segment, row.letter, row.unit, mm, told))
     # passes that do not settle leave no force known; without friction each force stands by itself
-    if made.open is None:
+    if made.first.open is None:
         return tuple(found)
-    balance = next(c for c, row in zip(found, rows, strict=True) if row.value == made.first.balance)
-    return tuple(column.blank(np.isnan(balance.value)) for column in found)
+    balances = [one.balance for one in made.balanced]
+    unknown = [
+        np.isnan(c.value) for c, row in zip(found, rows, strict=True) if row.value in balances
+    ]
+    return tuple(column.blank(np.any(unknown, axis=0)) for column in found)
 
 
 def _at(values: Reals, places: tuple[int, ...]) -> Reals:
@@ -143,9 +146,10 @@ def _balance(made: Forces) -> list[_Row]:
         if made.tool is None:
             rows.append(_Row(lever, letters.lever, unit, one.lever.balance))
         rows.append(_Row(difference, letters.difference, "%", one.difference))
-    if made.open is not None and made.efficiency is not None:
-        (stem, *_), unit = names_of(made, made.first).forces.split("_"), rows[-2].unit
-        rows.append(_Row(f"{stem}_bal_open", "bal_open", unit, made.open))
+        if one.open is not None:
+            name = f"{difference.removesuffix('difference')}open"
+            rows.append(_Row(name, one.open.name if several else "bal_open", unit, one.open))
+    if made.efficiency is not None:
         rows.append(_Row("efficiency", "η", "%", made.efficiency))
     return rows
 

@@ -45,8 +45,9 @@ from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning, TurnQuan
 def quantities(project: Project) -> Iterator[TurnQuantity]:
     """Yield the reactions as vectors, N; what balances the drives, by groups and by their levers."""
     made = FORCES_PLAN.on(project)
-    # passes of friction that do not settle leave no force known
-    known = made.first.balance if made.open is not None else None
+    # passes of friction that do not settle leave no force known: all of them make what drives with it
+    step = made.efficiency and project.construction.step(made.efficiency)
+    known = step.uses[1] if step is not None else None
     for one in made.reactions:
         key, mu = segment_name(one.letter), project.scale(one.tail.view)
         yield TurnQuantity("forces", "forces", key, one.head, mu, one.tail, known=known)

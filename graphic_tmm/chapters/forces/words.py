@@ -207,4 +207,5 @@ SUM_ON_LEVER = said(
     "The lever is in equilibrium about its pole: the moments of all forces on it are added with their "
     "signs."
 )
+POWER = said("What balances a drive times the rate at which it goes is its power.")
 FRICTION_READ = said("The friction of the guide is the part of the reaction along it.")

@@ -59,7 +59,7 @@ def test_after_two_passes_the_rest_is_within_what_is_reported(
         one = weighed(drawn, k)
         order = order_of(one, gravity=True, inertia=True, friction=rubbing(drawn, 0.08, 2))
         solved = solve(one, drawn.phi, drawn.poses, order)
-        open_ = solved.forces.open
+        open_ = solved.forces.first.open
         assert open_ is not None
         found, rest = solved.number(solved.forces.first.balance), solved.number(open_)
         if not math.isfinite(found):
