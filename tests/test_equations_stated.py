@@ -99,7 +99,8 @@ def of_sheets(name: str, language: str) -> Iterator[Equations]:
             Seen(work.construction, work.reading, (), [place]), place, language, decimals
         )
         rows = [row for one in made_.driven for row in driver_rows(writer, made_, one)]
-        rows += lever_rows(writer, made_)
+        for one in made_.balanced:
+            rows += lever_rows(writer, one.lever, made_.tool)
         for solved in made_.groups:
             rows += group_rows(writer, made_, solved)
         found = Equations()

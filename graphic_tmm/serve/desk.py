@@ -231,8 +231,10 @@ STEP = 10
 """How often it is asked, ms, whether something has changed."""
 POLL = 300
 """How often files are looked at where the system does not tell, ms."""
+LATE = 300
+"""So long after a watch has begun files are looked at once more, ms."""
 AGAIN = 2.0
-"""After so long files are looked at again though no change was told, a folder that was not watched too, s."""
+"""After a folder could not be watched, or has gone, it is tried again, s."""
 
 
 async def watch(desk: Desk) -> None:
@@ -250,7 +252,8 @@ async def _watched(desk: Desk, folders: frozenset[Path]) -> None:
     from watchfiles import awatch
 
     desk.look_all()
-    async for _ in awatch(
+    late = True
+    async for changes in awatch(
         *folders,
         watch_filter=lambda change, path: _is_scene(path),
         debounce=QUIET,
@@ -258,10 +261,12 @@ async def _watched(desk: Desk, folders: frozenset[Path]) -> None:
         poll_delay_ms=POLL,
         recursive=False,
         ignore_permission_denied=True,
-        # what changes between a look and the next watch is told by nobody
-        rust_timeout=round(1000 * AGAIN),
+        rust_timeout=LATE,
         yield_on_timeout=True,
     ):
+        if not changes and not late:
+            continue
+        late = False  # what changes between the look before and the watch is told by nobody
         desk.look_all()
         if desk.folder.watched() != folders:
             return

@@ -16,7 +16,7 @@ from graphic_tmm.board.operations.statics import efficiency, settled, still_open
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.roles import DETACHED, FORCE_POLYGON
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.forces import friction, lever, loads
+from graphic_tmm.chapters.forces import friction, loads
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.driving import Alone, Driven, Place, solve_drives
@@ -113,7 +113,7 @@ def record(bench: Bench) -> Forces | None:
     cylinder = INDICATOR_PLAN.of(bench) if order.gas is not None else None
     made = draw_forces(_ground(bench, plans), order, cylinder)
     places = chosen(order.positions, bench.names, ASKED.section)
-    views = tuple(_views(bench.draft.board.construction()))
+    views = tuple(_views(bench.draft.board.construction(), made.balanced))
     for view in views:
         bench.tell(view, places)
     if order.inertia:
@@ -121,12 +121,11 @@ def record(bench: Bench) -> Forces | None:
     return replace(made, places=places, views=views)
 
 
-def _views(log: Construction) -> Iterator[str]:
+def _views(log: Construction, balanced: tuple[Balanced, ...]) -> Iterator[str]:
     """Yield the views in which forces are drawn, in the order of the log."""
     solved = {view.name for view in log.views if view.role in SOLVED}
-    for view in dict.fromkeys(step.it.view for step in log.steps):
-        if view in solved or view in OTHERS or view.partition(" ")[0] == lever.VIEW:
-            yield view
+    known = {*solved, *OTHERS, *(one.view for one in balanced)}
+    yield from (view for view in dict.fromkeys(step.it.view for step in log.steps) if view in known)
 
 
 def _ground(bench: Bench, plans: KinematicPlans) -> Ground:

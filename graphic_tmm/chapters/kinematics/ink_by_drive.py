@@ -25,18 +25,17 @@ def draw_sums_ink(on: Subject, summed: Sequence[Summed], index: int) -> Drawing:
     seen = on.seen((BY_DRIVE,), [index])
     shown = [one for one in summed if _adds(seen, one, index)]
     parts = {end: start for one in shown for start, end in one.parts}
+    sums = {one.ends[-1]: one.pole for one in shown}
 
     def part(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        if step.it in parts:
-            yield from arrow(seen.point(parts[step.it], k), seen.point(step.it, k), "thin")
+        for pen, starts in (("thin", parts), ("main", sums)):
+            if step.it in starts:
+                yield from arrow(seen.point(starts[step.it], k), seen.point(step.it, k), pen)
 
     traces = figure(seen, Manner({added_vector.name: part}, lambda seen, step: step.it in parts))
     origin = summed[0].pole
-    spot, strokes = seen.point(origin, index), list[Ink]()
-    for one in shown:
-        whole = arrow(spot, seen.point(one.ends[-1], index), "main")
-        strokes += body(whole, "vector", [origin, one.ends[-1]], index)
-    strokes += body(pole(spot), "pole", [origin])
+    spot = seen.point(origin, index)
+    strokes = body(pole(spot), "pole", [origin])
     marks = [origin, *parts]
     named = [Named(seen.point(m, index), markup(m.name), (m.slot,), index) for m in marks]
     wanted = lettered(shared(named, CLOSE), on.heights.point, away_from=spot)

@@ -102,10 +102,11 @@ TABLE = Tabled(columns=kinematic_columns)
 
 def _title(held: Holder, view: str, language: str) -> str:
     """Return what the plan of velocities is called where a mechanism stands, and that of one drive."""
-    name, _, link = view.rpartition(" ")
-    if name == BY_DRIVE:
-        return speaking(language)(ALONE, link=link)
-    rests = view == VELOCITIES and KINEMATICS_PLAN.on(held).mechanism.at_rest
+    plans = KINEMATICS_PLAN.on(held)
+    for one in plans.by_drive:
+        if one.motion is not plans.velocities and one.motion.mu.view == view:
+            return speaking(language)(ALONE, link=str(one.link))
+    rests = view == VELOCITIES and plans.mechanism.at_rest
     return captions(language)[f"{view} at rest"] if rests else ""
 
 

@@ -159,6 +159,8 @@ def by_drive_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made, language = KINEMATICS_PLAN.on(drawn), drawn.scene.language
     _, words = speaking(language), captions(language)
     views = list[Drawing]()
+    if not made.summed:
+        return views
     for one in made.by_drive:
         name = {"link": str(one.link)}
         alone, several = _(ALONE, **name), _(EACH_ALONE, **name)

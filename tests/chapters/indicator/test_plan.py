@@ -233,7 +233,7 @@ def test_the_gas_of_all_is_balanced_at_the_crank(tmp_path: Path) -> None:
         folder.mkdir()
         made = drawing(folder, scene(star, cylinders(star, steps, more=SHAFT * (not k))))
         whole, forces = moments(made)[0], FORCES_PLAN.on(made)
-        for mark in (forces.balance, forces.lever.balance):
+        for mark in (forces.first.balance, forces.first.lever.balance):
             np.testing.assert_allclose(made.reading[mark][0], -whole, rtol=1e-7, atol=1e-7)
 
 

@@ -108,7 +108,7 @@ def test_the_gas_pushes_as_the_length_tells(omega: float, side: str, tmp_path: P
     wanted = moment(phi, omega)
     np.testing.assert_allclose(of[FLYWHEEL_PLAN.on(made).moment][0], wanted, rtol=1e-6, atol=1e-6)
     forces = FORCES_PLAN.on(made)
-    for mark in (forces.balance, forces.lever.balance):
+    for mark in (forces.first.balance, forces.first.lever.balance):
         np.testing.assert_allclose(of[mark][0], -wanted * np.sign(omega), rtol=1e-6, atol=1e-6)
 
 
