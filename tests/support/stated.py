@@ -242,7 +242,8 @@ class Equations:
             told, put = leaves_of(letters), leaves_of(figures)
             if "letter" not in {kind for kind, _, _ in told}:
                 return
-            known = {**self.known, **self._paired(told, put, extra, due.value == 0.0), **extra}
+            sizes = due.value == 0.0 and "|" not in letters
+            known = {**self.known, **self._paired(told, put, extra, sizes), **extra}
             found = put_in(letters, known)
         except _NOT_READ:
             self.left_out.append(formula)
