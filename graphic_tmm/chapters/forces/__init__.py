@@ -30,7 +30,8 @@ Zhukovsky: the powers of all forces, inertia included, sum to 0: Σ P·v·cos = 
 by 90° the arm of a force about the pole, when it is applied at the image of its point, is v·cos to the
 scale; so the same sum is the sum of moments of the plan as a rigid lever about its pole. A couple on a link
 becomes M·ab/l. It gives the balancing force once more by one equation without reactions: both must agree
-(usually within 5 % by hand).
+(usually within 5 % by hand). Each of several drives has a lever of its own, the plan of velocities as it alone
+causes them: the powers of what holds the others are 0 there.
 
 Draws: places ``forces`` (groups detached with their polygons and equations, the driving link), ``lever``,
 ``force table``, ``load diagram``. Builds on kinematics; on diagrams (loads by the travel of a slider); on

@@ -107,7 +107,7 @@ class Motion:
         What balances the crank, by the name of its column: ``P_bal_forces`` (by Assur groups) and
         ``P_bal_lever`` (by Zhukovsky's lever), a force at the crank's pin, N, positive where it is the arm
         turned by +90°; or ``M_bal_forces`` and ``M_bal_lever``, moments, N·m, counter-clockwise positive.
-        Further drives by their links, by groups: ``P_bal_4``, ``M_bal_4``.
+        Further drives by their links, by groups and by their own levers: ``P_bal_4``, ``P_bal_4_lever``.
     """
 
     at: Reals
