@@ -6,7 +6,13 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
-from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, EXTREMES, POSITIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.task import (
+    ACCELERATIONS,
+    BY_DRIVE,
+    EXTREMES,
+    POSITIONS,
+    VELOCITIES,
+)
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block, Picture
@@ -39,8 +45,12 @@ class KinematicPage(Page[KinematicPlans]):
         """Yield what is told: extreme positions, plans, columns."""
         yield from self.view(EXTREMES)
         yield from self.view(POSITIONS, self.figures(*self.pictures))
-        for plan in (VELOCITIES, ACCELERATIONS):
-            yield from self.view(plan, self._plan(plan))
+        yield from self.view(VELOCITIES, self._plan(VELOCITIES))
+        for one in self.recorded.apart:
+            yield from self.view(one.mu.view, self._plan(one.mu.view))
+        if self.recorded.summed:
+            yield from self.view(BY_DRIVE, self._sums())
+        yield from self.view(ACCELERATIONS, self._plan(ACCELERATIONS))
         if self.columns:
             yield self.says(SIZES)
         yield from self.tabled()
@@ -64,6 +74,18 @@ class KinematicPage(Page[KinematicPlans]):
             return [captioned(view, escape(title), mu, heights=heights(held.scene, plan))]
 
         return tuple(picture(view, language) for view in readable(drawn, draw))
+
+    def _sums(self) -> tuple[Picture, ...]:
+        """Return the velocities that are added up in one position."""
+        mu = mu_text(self.drawn.scales[VELOCITIES], self.language)
+
+        def draw(held: Drawn) -> list[Drawing]:
+            return [
+                captioned(one, escape(one.title), mu, heights=heights(held.scene, BY_DRIVE))
+                for one in views.sums(held, (self.at,), True)
+            ]
+
+        return tuple(picture(view, self.language) for view in readable(self.drawn, draw))
 
 
 NOTE = Noted(KinematicPage)

@@ -157,23 +157,28 @@ def _plans(plan: str, caption: str, several: str, drawn: Drawn, lettered: bool) 
 def by_drive_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plans of velocities as each drive alone causes them, then the sums of points by positions."""
     made, language = KINEMATICS_PLAN.on(drawn), drawn.scene.language
-    _, words = speaking(language), captions(language)
-    views = list[Drawing]()
+    speech, found = speaking(language), list[Drawing]()
     if not made.summed:
-        return views
+        return found
     for one in made.by_drive:
-        name = {"link": str(one.link)}
-        alone, several = _(ALONE, **name), _(EACH_ALONE, **name)
-        views += _plans(one.motion.mu.view, alone, several, drawn, lettered)
-    scale, high = drawn.scales[VELOCITIES], heights(drawn.scene, BY_DRIVE)
-    title = words[BY_DRIVE]
-    mu, sums, told = mu_text(scale, language), list[Drawing](), []
-    for k in (k for k in drawn.all if k not in {*drawn.undrawn, *made.repeated}):
-        own = f"{title}, {words['position']} {drawn.names[k]}"
-        on = subject(drawn, own, BY_DRIVE, name=f"{BY_DRIVE.replace(' ', '-')}-{drawn.names[k]}")
-        sums.append(finished(draw_sums_ink(on, made.summed, k), lettered))
-        told.append((escape(drawn.names[k]), mu))
-    return [*views, *in_rows(sums, BY_DRIVE, title, told, high)]
+        alone, several = (speech(words, link=str(one.link)) for words in (ALONE, EACH_ALONE))
+        found += _plans(one.motion.mu.view, alone, several, drawn, lettered)
+    left_out, title = {*drawn.undrawn, *made.repeated}, captions(language)[BY_DRIVE]
+    places = [k for k in drawn.all if k not in left_out]
+    mu, high = mu_text(drawn.scales[VELOCITIES], language), heights(drawn.scene, BY_DRIVE)
+    told = [(escape(drawn.names[k]), mu) for k in places]
+    return [*found, *in_rows(sums(drawn, places, lettered), BY_DRIVE, title, told, high)]
+
+
+def sums(drawn: Drawn, places: Sequence[int], lettered: bool) -> list[Drawing]:
+    """Return the sums of velocities in some positions."""
+    words, summed, found = captions(drawn.scene.language), KINEMATICS_PLAN.on(drawn).summed, []
+    for k in places:
+        name, key = drawn.names[k], BY_DRIVE.replace(" ", "-")
+        title = f"{words[BY_DRIVE]}, {words['position']} {name}"
+        on = subject(drawn, title, BY_DRIVE, name=f"{key}-{name}")
+        found.append(finished(draw_sums_ink(on, summed, k), lettered))
+    return found
 
 
 def equation_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -245,7 +250,8 @@ def plan_at(
     if plan == POSITIONS:
         return finished(draw_position_ink(on, reaches(drawn), place, upon))
     at = [Place(drawn.row(plan).index(place))]
-    return finished(draw_plan(on, plan, at, drawn.scales[plan].value, UNITS[plan], upon=upon))
+    unit = UNITS.get(plan, UNITS[VELOCITIES])  # of one drive alone, too
+    return finished(draw_plan(on, plan, at, drawn.scales[plan].value, unit, upon=upon))
 
 
 SHOWN = Views(
