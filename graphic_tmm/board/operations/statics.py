@@ -369,7 +369,7 @@ def settled(last: Number, open_: Number) -> Number:
 
 @formula(
     holds="{without}·{with_} > 0, {speed} ≠ 0, ({without}/{with_})^sgn({without}·{speed}) ≤ 1",
-    fails="no power passes through the crank",
+    fails="no power passes through",
     why=said(
         "The efficiency is the work that would do without friction to the work that has to be done with "
         "it."

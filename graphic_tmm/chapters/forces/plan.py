@@ -341,8 +341,8 @@ def _efficiency(ground: Ground, first: _Pass, balances: list[Mark]) -> Mark:
     if len(balances) == 1 and speeds[0] is not None:
         return draft.draw(efficiency, "η", without[0], balances[0], speeds[0], unit="%")
     both = [
-        _power(ground, forces, speeds, letter)
-        for forces, letter in ((without, "N^{(0)}"), (balances, "N"))
+        _power(ground, forces, speeds, raised)
+        for forces, raised in ((without, "^{(0)}"), (balances, ""))
     ]
     return draft.draw(efficiency, "η", *both, draft.take(Number, "1", 1.0), unit="%")
 
@@ -359,12 +359,15 @@ def _speed(ground: Ground, pair: DrivenPair, unit: str) -> Mark | None:
     return ground.draft.draw(product, f"v_{pair.pin}", rate, arm, unit="m/s")
 
 
-def _power(ground: Ground, forces: list[Mark], speeds: list[Mark | None], letter: str) -> Mark:
+def _power(ground: Ground, forces: list[Mark], speeds: list[Mark | None], raised: str) -> Mark:
+    """Calculate the sum of the powers of all drives; ``raised``: the pass of friction in its letter."""
     draft, total = ground.draft, None
     for pair, force, speed in zip(ground.pairs, forces, speeds, strict=True):
         if speed is not None:
-            own = f"{letter.replace('N', f'N_{pair.link}')}"
-            power = draft.draw(product, own, force, speed, unit="W", why=why.POWER)
-            total = power if total is None else draft.draw(added, letter, total, power, unit="W")
+            letter = f"N_{pair.link}{raised}"
+            power = draft.draw(product, letter, force, speed, unit="W", why=why.POWER)
+            if total is not None:
+                power = draft.draw(added, f"N{raised}", total, power, unit="W")
+            total = power
     assert total is not None
     return total
