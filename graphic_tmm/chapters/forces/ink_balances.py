@@ -297,8 +297,7 @@ def lever_rows(writer: Writer, lever: Lever, tool: Tool | None) -> Iterator[Row]
         if step and step.op is tangential:  # of a pair that stands for a couple
             yield _formula(writer, force.value, "N")
     for one in lever.couples:
-        if writer.value(one.value):  # its link is held
-            yield _converted(writer, one)
+        yield _converted(writer, one)
     sought = Sought(lever.force.name, lever.force, lever.segment, 1, "N")
     if tool is not None:
         turns = writer.sense(tool.arm)

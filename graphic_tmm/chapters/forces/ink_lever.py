@@ -150,8 +150,6 @@ class _Loads:
         segments: dict[tuple[Mark, Mark], list[tuple[str, ArrowText]]] = {}
         for one in self.lever.couples:
             value = self.seen.number(one.value, self.index)
-            if not value:  # its link is held
-                continue
             told = ArrowText(one.letter, value, "N·mm", (one.value.slot,))
             called = markup(symbol(one.letter, self.language))
             segments.setdefault(one.ends, []).append((called, told))

@@ -275,7 +275,7 @@ def _base(
             own = sense * crank.drive.sense
             return _Base(draft.uses(image)[1], length, pole, image, axis, own)
     for closing, leg in legs_of(positions.closings, VIEW):
-        if isinstance(leg, PinLeg) and velocities.rates[leg.link] == rate:
+        if isinstance(leg, PinLeg) and velocities.rates.get(leg.link) == rate:
             start = velocities.ends.get(leg.link) or pivot_image(velocities, leg)
             end = velocities.closed[closing.group.name]
             segment = velocities.readings[leg.link]

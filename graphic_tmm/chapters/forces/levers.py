@@ -59,12 +59,16 @@ def _on(by: ByDrive, ground: Ground, force: Force) -> Force:
     """Return a force with the image of its point on the plan of one drive."""
     if by.motion is ground.velocities:
         return force
-    plan = by.motion
-    for group, image in ground.velocities.closed.items():
-        if image == force.image:
+    plan, whole, body = by.motion, ground.velocities, ground.positions.bodies[force.link]
+    for group, image in whole.closed.items():
+        if image == force.image != whole.images.pole:
             return force._replace(image=plan.closed[group])
-    known = ground.velocities.images.by_letter[force.link]
-    letter = next(letter for letter, image in known.items() if image == force.image)
+    known = whole.images.by_letter[force.link]
+    letter = (
+        body.letter_of(force.point)
+        if force.point in body.marks.values()
+        else next(letter for letter, image in known.items() if image == force.image)
+    )
     ground.draft.open(plan.images.pole.view)
     shown = image_letter(letter, force.link)
     return force._replace(image=plan.images.of(force.link, force.point, letter, shown))

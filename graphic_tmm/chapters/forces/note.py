@@ -157,9 +157,7 @@ class ForcePage(Page[Forces]):
         """Yield what is told of each lever: how loads stand on it, its figure, its moments, the comparison."""
         tool = self.recorded.tool
         for one in self.recorded.balanced:
-            # a couple on a link that this drive does not move is none there
-            moved = (own for own in one.lever.couples if self.writer.value(own.value))
-            lever = one.lever._replace(couples=tuple(moved))
+            lever = one.lever
             yield heading(lever_called(self.drawn, one))
             if one.view != LEVER:
                 yield self.says(HELD)

@@ -79,7 +79,7 @@ class Summed(NamedTuple):
 
 
 def draw_sums(draft: Draft, whole: Motion, by_drive: tuple[ByDrive, ...]) -> tuple[Summed, ...]:
-    """Add up the velocities of all points that are no fixed ones, in a view of their own."""
+    """Add up the velocities of all points that several drives move, in a view of their own."""
     draft.open(BY_DRIVE)
     pole = draft.take(Point, "p", 0j)
     draft.lay_out(pole, whole.mu)
@@ -88,12 +88,14 @@ def draw_sums(draft: Draft, whole: Motion, by_drive: tuple[ByDrive, ...]) -> tup
         for letter, image in images.items():
             if image in found or image == whole.images.pole:
                 continue
-            parts = [one.motion.images for one in by_drive]
-            if any(letter not in part.by_letter[number] for part in parts):
+            plans = [one.motion.images for one in by_drive]
+            parts = [(one, one.by_letter[number].get(letter, one.pole)) for one in plans]
+            parts = [(one, own) for one, own in parts if own != one.pole]
+            if len(parts) < 2:  # nothing is to be added
                 continue
             ends, end = list[Mark](), pole
-            for k, part in enumerate(parts):
-                last, own = k == len(parts) - 1, part.by_letter[number][letter]
+            for k, (part, own) in enumerate(parts):
+                last = k == len(parts) - 1
                 name = image.letter if last else f"{image.letter}{PRIME * (k + 1)}"
                 end = draft.draw(added_vector, name, end, part.pole, own)
                 ends.append(end)

@@ -254,6 +254,13 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
         plan.images.complete(body)
 
 
+def hold(plan: Motion, body: Body) -> None:
+    """Enter a body that stands still: all its points are the pole."""
+    anchor = next(iter(body.marks.values()))
+    plan.images.hang(body, Hanging(anchor, plan.images.pole, None), {})
+    plan.images.complete(body)
+
+
 def hang_passive(positions: Positions, plan: Motion) -> None:
     """Enter the passive links into the plan's images, by those of the letters that they share.
 

@@ -28,6 +28,7 @@ from graphic_tmm.chapters.kinematics.motion import (
     Motion,
     hang_group,
     hang_passive,
+    hold,
     known_image,
     measure_absolute,
     passive_legs,
@@ -75,11 +76,15 @@ def draw_velocities(
 def _group(
     draft: Draft, positions: Positions, plan: Motion, turn: VelocityLines, closing: Closing
 ) -> None:
-    letter = closing.image_letter
+    letter, starts, lines = closing.image_letter, [], []
+    known = [known_image(plan, closing, leg) for leg in closing.legs]
+    if all(_stands(plan, leg, at) for leg, at in zip(closing.legs, known, strict=True)):
+        plan.closed[closing.group.name] = plan.images.pole
+        for number in (*closing.group.links, *closing.group.rods):
+            hold(plan, positions.bodies[number])
+        return
     draft.say(f"II({closing.group.name})")
-    starts, lines = [], []
-    for leg in closing.legs:
-        start = known_image(plan, closing, leg)
+    for leg, start in zip(closing.legs, known, strict=True):
         match leg:
             case PinLeg():
                 draw = turn.across
@@ -96,6 +101,19 @@ def _group(
     for leg, start, line in zip(closing.legs, starts, lines, strict=True):
         _read(draft, plan, leg, start, point, line)
     hang_group(positions, plan, closing, point)
+
+
+def _stands(plan: Motion, leg: ClosingLeg, start: Mark) -> bool:
+    """Whether what holds a leg stands, and nothing drives it: its drives are held."""
+    if start != plan.images.pole:
+        return False
+    match leg:
+        case PinLeg():
+            return leg.rod not in plan.speeds
+        case GuideLeg():
+            return leg.inner or not plan.images.turns(leg.body)
+        case _:
+            unheld(leg, VIEW)
 
 
 def _rod_out(draft: Draft, plan: Motion, turn: VelocityLines, leg: PinLeg, start: Mark) -> Mark:

@@ -93,12 +93,6 @@ class Crank(DrivenPair):
         """Return the mark of its length on the board."""
         return draft.uses(positions.bodies[self.link].marks[self.pin])[1]
 
-    def hold(self, positions: Positions, plan: Motion) -> None:
-        """Enter its pivot and its pin at the pole."""
-        body, pole = positions.bodies[self.link], plan.images.pole
-        plan.images.hang(body, Hanging(body.marks[self.pivot], pole, None), {self.pivot: pole})
-        plan.images.complete(body)
-
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
         """Draw the velocity of its pin."""
         draft, pole, number = lines.draft, plan.images.pole, self.link

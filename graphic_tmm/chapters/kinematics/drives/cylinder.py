@@ -72,9 +72,6 @@ class Cylinder(DrivenPair):
         """The letter of the relative acceleration that is given."""
         return self.speed_letter.replace("v", "a")
 
-    def hold(self, positions: Positions, plan: Motion) -> None:
-        """Enter nothing: both links turn as one."""
-
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
         """Take how fast the rod runs out; its group draws it."""
         speed = self.take(lines.draft, self.speed_letter, self.rates(signed=True), "m/s")

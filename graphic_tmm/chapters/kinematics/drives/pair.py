@@ -21,7 +21,7 @@ from graphic_tmm.board.operations.formulas import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number, Reals
 from graphic_tmm.chapters.kinematics.bodies import Body, Positions
-from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.motion import Motion, hold
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
 from graphic_tmm.fitting.choice import Ledger
 from graphic_tmm.mechanism.driven import Driven
@@ -145,9 +145,10 @@ class DrivenPair(ABC):
     def stand(self, draft: Draft, bodies: dict[int, Body], at: Mark) -> None:
         """Draw its link at a coordinate; of a leg of changing length, nothing yet."""
 
-    @abstractmethod
     def hold(self, positions: Positions, plan: Motion) -> None:
         """Enter its link into a plan in which it stands still; of a leg held at its length, nothing."""
+        if not self.driven.telescopes:
+            hold(plan, positions.bodies[self.link])
 
     @abstractmethod
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:

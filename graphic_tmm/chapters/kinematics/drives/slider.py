@@ -98,10 +98,6 @@ class Slider(DrivenPair):
         """Return the line of its guide."""
         return uses(positions.bodies[self.link].marks[self.pin])[0]
 
-    def hold(self, positions: Positions, plan: Motion) -> None:
-        """Enter its point at the pole."""
-        self._hang(positions, plan, plan.images.pole)
-
     def velocity(self, positions: Positions, plan: Motion, lines: VelocityLines) -> None:
         """Draw the velocity of its point."""
         draft, pole, letter = lines.draft, plan.images.pole, image_letter(self.pin)
