@@ -78,7 +78,9 @@ def _group(
 ) -> None:
     letter, starts, lines = closing.image_letter, [], []
     known = [known_image(plan, closing, leg) for leg in closing.legs]
-    if all(_stands(plan, leg, at) for leg, at in zip(closing.legs, known, strict=True)):
+    # no plan of accelerations goes by that of one drive
+    alone = plan.images.pole.view != VIEW
+    if alone and all(_stands(plan, *one) for one in zip(closing.legs, known, strict=True)):
         plan.closed[closing.group.name] = plan.images.pole
         for number in (*closing.group.links, *closing.group.rods):
             hold(plan, positions.bodies[number])
