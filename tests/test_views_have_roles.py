@@ -20,7 +20,9 @@ VIEWS = {"view", "drawing", "outline"}
 ALLOWED = {
     # people ask for the words of a name that is made up of links and a pass: there is no log to look it up in
     "chapters/forces/words.py: view.partition(' ')",
-    # so they do of a diagram by the letter of its cylinder
+    # so they do of a plan by the link of its drive
+    "chapters/kinematics/words.py: view.rpartition(' ')",
+    # and of a diagram by the letter of its cylinder
     "chapters/indicator/words.py: view.partition(' ')",
     # machines call the scale factor of a base by the view that was calculated for
     "readers/table.py: step.it.view.removesuffix('-calculation')",

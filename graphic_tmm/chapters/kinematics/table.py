@@ -17,9 +17,7 @@ from graphic_tmm.chapters.kinematics.task import (
     POSITIONS,
     VELOCITIES,
 )
-from graphic_tmm.chapters.kinematics.words import ALONE
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.equations import components, quantity
@@ -101,12 +99,8 @@ TABLE = Tabled(columns=kinematic_columns)
 
 
 def _title(held: Holder, view: str, language: str) -> str:
-    """Return what the plan of velocities is called where a mechanism stands, and that of one drive."""
-    plans = KINEMATICS_PLAN.on(held)
-    for one in plans.by_drive:
-        if one.motion is not plans.velocities and one.motion.mu.view == view:
-            return speaking(language)(ALONE, link=str(one.link))
-    rests = view == VELOCITIES and plans.mechanism.at_rest
+    """Return what the plan of velocities is called where a mechanism stands."""
+    rests = view == VELOCITIES and KINEMATICS_PLAN.on(held).mechanism.at_rest
     return captions(language)[f"{view} at rest"] if rests else ""
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.kinematics.task import EXTREMES, PLANS
+from graphic_tmm.chapters.kinematics.task import BY_DRIVE, EXTREMES, PLANS
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -35,20 +36,27 @@ SYMBOLS = (
     ("μ_a", said("scale factor of accelerations"), "(m/s²)/mm"),
 )
 """Its letters in a note: what they stand for, their units."""
-
-
-WORDS = Named(
-    captions=CAPTIONS,
-    plans=(EXTREMES, *PLANS),
-    sources=("artobolevsky", "popov"),
-    symbols=SYMBOLS,
-)
-
 ALONE, EACH_ALONE = (
     said("Velocity plan, link {link} alone driving"),
     said("Velocity plans, link {link} alone driving"),
 )
 """What the plan of velocities of one drive is called, and more of them."""
+
+
+def called(view: str, speech: Speech) -> str:
+    """Return what the plan of velocities of one drive is called; "" for other views."""
+    name, _, link = view.rpartition(" ")
+    return speech(ALONE, link=link) if name == BY_DRIVE else ""
+
+
+WORDS = Named(
+    captions=CAPTIONS,
+    called=called,
+    plans=(EXTREMES, *PLANS),
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
+)
+
 
 FRAME_AXIS = said("The points of the fixed link are laid off from {start} along this axis.")
 FROM_FIRST = said("The angles of the positions are counted from that of the first.")
