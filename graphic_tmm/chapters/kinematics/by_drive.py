@@ -32,7 +32,7 @@ from graphic_tmm.mechanism.structure import dissect
     ),
 )
 def added_vector(start: Point, pole: Point, image: Point) -> Point:
-    """From {start} lay off the vector from {pole} to {image} of the plan of one drive; mark {it}."""
+    """From {start} lay off the vector from {pole} to {image}; mark {it}."""
     return Point(start + (image - pole))
 
 
