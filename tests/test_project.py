@@ -207,7 +207,7 @@ def test_a_drawn_mechanism_raises_nothing_but_errors_told_to_a_person(
     letter = sorted(set(drawn.points) - set(drawn.mechanism.frame.points))[-1]
     for row in (
         Row(6, zero=drawn.phi, accelerations=("all",)),
-        Row(6, 1, Extreme(letter, way), ("other extreme", 105.0), ("all",)),
+        Row(6, 1, Extreme(letter, way), (Extreme(letter, way).opposite, 105.0), ("all",)),
     ):
         try:
             made = drawn_of(scene(drawn.mechanism, row))
@@ -233,6 +233,6 @@ def test_a_path_that_closes_after_two_turns_is_not_drawn_as_if_it_closed_after_o
 def test_the_other_extreme_of_a_mechanism_that_comes_back_after_two_turns_is_refused() -> None:
     over = coulisse(0.1, 0.1 + 0j, flips=(0.0,))
     with pytest.raises(StructureError, match="may lie in the second turn"):
-        recorded(over, Row(12, zero=Extreme("A", "left"), extra=("other extreme",)))
+        recorded(over, Row(12, zero=Extreme("A", "left"), extra=(Extreme("A", "right"),)))
     project = recorded(over, Row(12, zero=Extreme("A", "left")), plans=["positions"])
     assert project.coordinates[0] == pytest.approx(180.0)

@@ -15,11 +15,11 @@ from support.oracle import Motion, State, solve_from_points
 
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.positions import side_record
-from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.chapters.kinematics.sides import side_values
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.mechanism.groups import Group
+from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.position_count import told_off
@@ -83,7 +83,7 @@ def test_the_scenes_use_what_a_task_may_ask_for() -> None:
     assert any(scene.mechanism.drive.acceleration for scene in scenes)
     assert {scene.mechanism.drive.speed > 0 for scene in scenes} == {True, False}
     assert {scene.turned for scene in scenes} == {True, False}
-    assert any(OTHER in scene.row.extra for scene in scenes)
+    assert any(isinstance(extra, Extreme) for scene in scenes for extra in scene.row.extra)
     assert any(isinstance(extra, float) for scene in scenes for extra in scene.row.extra)
 
 

@@ -222,22 +222,28 @@ class Extreme:
     point: str
     at: str
 
+    @property
+    def opposite(self) -> Extreme:
+        """The position in which the point is as far as it comes the other way."""
+        ways = {"left": "right", "right": "left", "top": "bottom", "bottom": "top"}
+        return Extreme(self.point, ways[self.at])
+
 
 @dataclass(frozen=True)
 class Row:
     """The row of positions: ``count`` equal steps of the crank over its ``turns``, and extras.
 
     ``zero`` is the crank's angle (degrees) or an extreme position of a point; the zero position bears the
-    number ``first``. ``extra`` holds crank angles in degrees, or the word "other extreme".
-    ``accelerations`` names the positions that get an acceleration plan ("2", "6*", ...). A row with ``ends``
-    (degrees, or m of what slides) is open: its first position is at the one, its last at the other; ``places``:
-    all coordinates of a row whose steps are not equal.
+    number ``first``. ``extra`` holds positions outside the row: coordinates (degrees, or m of what slides), or
+    extreme positions of points. ``accelerations`` names the positions that get an acceleration plan ("2",
+    "6*", ...). A row with ``ends`` is open: its first position is at the one, its last at the other;
+    ``places``: all coordinates of a row whose steps are not equal.
     """
 
     count: int = 12
     first: int = 0
     zero: float | Extreme = 0.0
-    extra: tuple[float | str, ...] = ()
+    extra: tuple[float | Extreme, ...] = ()
     accelerations: tuple[str, ...] = ()
     turns: int = 1
     ends: tuple[float, float] | None = None
@@ -247,3 +253,14 @@ class Row:
     def open(self) -> bool:
         """Whether it does not go on over a whole turn."""
         return self.ends is not None or bool(self.places)
+
+    @property
+    def reach(self) -> tuple[float, float] | None:
+        """The least and the greatest coordinate of an open row and of what is drawn outside it; else None."""
+        if not self.open:
+            return None
+        known = [
+            *(self.ends or self.places),
+            *(one for one in self.extra if isinstance(one, float)),
+        ]
+        return min(known), max(known)

@@ -199,7 +199,8 @@ def _slide(table: m.Slide, bodies: dict[int, m.Frame | m.Link], frame: int) -> S
 
 
 def _row(drive: m.Drive) -> Row:
-    zero, ends = drive.zero, _ends(drive)
+    ends = _ends(drive)
+    zero = _extreme(drive.zero) if isinstance(drive.zero, m.Extreme) else drive.zero
     accelerations = drive.accelerations
     if accelerations == ("all",):
         numbers = range(drive.first, drive.first + drive.count)
@@ -207,12 +208,25 @@ def _row(drive: m.Drive) -> Row:
     return Row(
         count=drive.count,
         first=drive.first,
-        zero=Extreme(zero.point, zero.at) if isinstance(zero, m.Extreme) else zero,
-        extra=drive.extra,
+        zero=zero,
+        extra=tuple(_extra(one, zero) for one in drive.extra),
         accelerations=accelerations,
         ends=(ends[0], ends[1]) if ends and drive.begin is not None else None,
         places=drive.positions if isinstance(drive.positions, tuple) else (),
     )
+
+
+def _extreme(table: m.Extreme) -> Extreme:
+    return Extreme(table.point, table.at)
+
+
+def _extra(written: float | str | m.Extreme, zero: float | Extreme) -> float | Extreme:
+    if isinstance(written, m.Extreme):
+        return _extreme(written)
+    if isinstance(written, str):
+        assert isinstance(zero, Extreme)
+        return zero.opposite
+    return written
 
 
 def drawn_by(scene: Scene, hand: str | None, seed: int | None) -> Scene:

@@ -15,6 +15,7 @@ from graphic_tmm.mechanism.masses import free_points
 from graphic_tmm.mechanism.records import shared
 from graphic_tmm.scene import mechanism, registry
 from graphic_tmm.scene.chapter import chapters, places
+from graphic_tmm.scene.coordinates import OTHER_EXTREME
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section, build
 from graphic_tmm.scene.document import as_table
 from graphic_tmm.scene.drive_checks import end_faults, motion_faults
@@ -24,7 +25,6 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import called, of_section, sections
 from graphic_tmm.scene.sections import Parts, pairing
 from graphic_tmm.scene.units import SI
-from graphic_tmm.scene.values import OTHER_EXTREME
 from graphic_tmm.scene.weld import weld_faults
 
 

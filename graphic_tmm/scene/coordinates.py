@@ -9,6 +9,8 @@ from graphic_tmm.scene.misfits import stands
 from graphic_tmm.scene.units import Dimension
 from graphic_tmm.scene.values import ROW, not_negative, quantity_schema
 
+OTHER_EXTREME = "other extreme"
+
 
 class Metres(float):
     """A number of metres, m/s or m/s²: of what slides."""
@@ -36,6 +38,12 @@ def _coordinates(value: object, names: Names) -> tuple[float, ...]:
     return tuple(sliding(item, "length", "angle") for item in value)
 
 
+def _extra(value: object, names: Names) -> float | str:
+    if value in (OTHER_EXTREME, "другое крайнее"):
+        return OTHER_EXTREME
+    return sliding(value, "length", "angle")
+
+
 def _speeds(value: object, names: Names) -> tuple[float, ...]:
     if not isinstance(value, list) or not value:
         remedy = said('a list of speeds is wanted, one for each position, ["0 rpm", "60 rpm"]')
@@ -61,3 +69,4 @@ COORDINATE = Kind(
     lambda value, names: sliding(value, "length", "angle"), quantity_schema("angle"), unit="angle"
 )
 COORDINATES = Kind(_coordinates, ROW)
+EXTRA = Kind(_extra, quantity_schema("angle"), unit="angle")

@@ -38,7 +38,12 @@ def motion_faults(path: Path, drive: Drive | FurtherDrive, parts: Parts) -> Iter
         rest["at"] = (drive.at,)
     else:
         places = drive.positions if isinstance(drive.positions, tuple) else ()
-        rest |= {"from": (drive.begin,), "to": (drive.end,), "positions": places}
+        rest |= {
+            "from": (drive.begin,),
+            "to": (drive.end,),
+            "positions": places,
+            "extra": drive.extra,
+        }
     wrong = said('an angle is wanted, "20 deg": link {number} turns', number=link.number)
     if racked:
         wrong = said('a length is wanted, "200 mm": the rack slides')
@@ -106,6 +111,12 @@ def end_faults(drive: Drive) -> Iterator[Flaw]:
         yield Flaw(("drive", there[0]), says)
     elif there and drive.begin == drive.end:
         yield Flaw(("drive", "to"), said("the row ends where it begins; write another place"))
+    places = drive.positions if isinstance(drive.positions, tuple) else ()
+    if drive.extra and list(places) not in (sorted(places), sorted(places, reverse=True)):
+        says = said(
+            "the places do not follow one another, so nothing stands between two: write these among them"
+        )
+        yield Flaw(("drive", "extra"), says)
     if (there or listed) and drive.zero != 0.0:
         key = there[0] if there else "positions"
         yield Flaw(

@@ -225,8 +225,14 @@ class Drive:
         12,
     )
     first: int = key(v.number(Bound(0, 1, whole=True)), "the number of the zero position", 1, 0)
-    extra: tuple[float | str, ...] = key(
-        v.EXTRA, 'positions beside the row: "other extreme", or crank angles', [v.OTHER_EXTREME], ()
+    extra: tuple[float | str | Extreme, ...] = key(
+        Several(
+            ByShape(dict, DeclaredTable(Extreme), c.EXTRA),
+            said('a list is wanted, ["other extreme", "105 deg"]'),
+        ),
+        'positions beside the row: "other extreme", crank angles, lengths, or extremes of points',
+        [c.OTHER_EXTREME],
+        (),
     )
     accelerations: tuple[str, ...] = key(
         v.POSITIONS, "the positions with an acceleration plan", [2, 6], ()

@@ -280,9 +280,15 @@ def _drive(drive: Document, names: Outline, at: Path) -> Iterator[Flaw]:
             "link {number} is the frame, which does not turn; name the crank", number=number
         )
         yield Flaw((*at, "link"), says)
-    point = as_table(drive.get("zero")).get("point")
-    if isinstance(point, str):
-        yield from _moving((*at, "zero", "point"), point, names)
+    extra = drive.get("extra")
+    extremes: dict[Path, object] = {("zero",): drive.get("zero")}
+    extremes |= {
+        ("extra", k): one for k, one in enumerate(extra if isinstance(extra, list) else ())
+    }
+    for path, extreme in extremes.items():
+        point = as_table(extreme).get("point")
+        if isinstance(point, str):
+            yield from _moving((*at, *path, "point"), point, names)
 
 
 def _trajectories(items: object, names: Outline) -> Iterator[Flaw]:

@@ -75,15 +75,15 @@ class Named:
 
 @dataclass(frozen=True)
 class Several:
-    """A list of one sort of value, as a tuple."""
+    """A list of one sort of value, as a tuple; ``wanted``: what is said where something else stands."""
 
     each: Sort
+    wanted: str = said("a list of tables is wanted, [{ ... }]")
 
     def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return the values, or FAULTY."""
         if not isinstance(value, list):
-            wanted = said("a list of tables is wanted, [{ ... }]")
-            found.append(Flaw(at, misfits.stands(value, wanted)))
+            found.append(Flaw(at, misfits.stands(value, self.wanted)))
             return FAULTY
         read = tuple(
             self.each.understood(one, (*at, i), names, found) for i, one in enumerate(value)

@@ -14,7 +14,6 @@ from graphic_tmm.scene.misfits import stands
 from graphic_tmm.scene.units import Dimension
 
 COUNTERCLOCKWISE, CLOCKWISE = "counterclockwise", "clockwise"
-OTHER_EXTREME = "other extreme"
 MU_L_OMEGA = "mu_l*omega1"
 
 
@@ -293,15 +292,6 @@ def link_side(value: object) -> tuple[int, tuple[str, str]]:
     return (1 if match.group(1) in ("left of", "слева от") else -1), pair
 
 
-def _extra(value: object, names: Names) -> tuple[float | str, ...]:
-    if not isinstance(value, list):
-        raise ValueError(stands(value, said('a list is wanted, ["other extreme", "105 deg"]')))
-    words = (OTHER_EXTREME, "другое крайнее")
-    return tuple(
-        OTHER_EXTREME if item in words else quantities.parse(item, "angle") for item in value
-    )
-
-
 def _accelerations(value: object, names: Names) -> tuple[str, ...]:
     if value in ("all", "все", ["all"], ["все"]):
         return ("all",)
@@ -312,7 +302,7 @@ def _accelerations(value: object, names: Names) -> tuple[str, ...]:
 
 def _position(value: object, wrong: Callable[[object, str], Said] = stands) -> str:
     whole = isinstance(value, int) and not isinstance(value, bool) and 0 <= value <= 10**6
-    if not whole and not (isinstance(value, str) and re.fullmatch(r"[0-9]{1,6}\*{0,3}", value)):
+    if not whole and not (isinstance(value, str) and re.fullmatch(r"[0-9]{1,6}\*{0,9}", value)):
         raise ValueError(wrong(value, said('a position is a number, 6, or a text, "6*"')))
     return str(value)
 
@@ -378,7 +368,6 @@ TURNS = choice(COUNTERCLOCKWISE, CLOCKWISE, против_часовой_стре
                по_часовой_стрелке=CLOCKWISE)  # fmt: skip
 AT = choice("left", "right", "top", "bottom", слева="left", справа="right", сверху="top",
             снизу="bottom")  # fmt: skip
-EXTRA = Kind(_extra, ROW)
 POSITIONS = Kind(_accelerations, {"anyOf": [ROW, {"type": "string", "const": "all"}]})
 POSITION = Kind(lambda value, names: _position(value), {"type": ["integer", "string"]})
 LETTERS = Kind(_letters, _WORDS)

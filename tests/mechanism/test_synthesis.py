@@ -12,7 +12,6 @@ from support.boards import recorded
 from support.examples import most
 
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
-from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.errors import TmmError
 from graphic_tmm.mechanism.records import Drive, Extreme, Guide, Link, Mechanism, Row, Side, Slide
 from graphic_tmm.mechanism.synthesis import rocker, rocker_lengths
@@ -37,7 +36,7 @@ def coulisse(OA: float, BC: float, OB: float, *, speed: float = 1.0) -> Mechanis
 
 
 def drawn(lengths: dict[str, float], *, speed: float = 1.0) -> Project:
-    row = Row(12, 0, Extreme("C", "left"), (OTHER,))
+    row = Row(12, 0, Extreme("C", "left"), (Extreme("C", "right"),))
     return recorded(coulisse(**lengths, speed=speed), row, plans=["positions"])
 
 
@@ -105,7 +104,9 @@ def test_the_mechanism_found_gives_back_stroke_and_ratio(
         ),
         Drive(1, speed),
     )
-    project = recorded(small, Row(12, 0, Extreme("C", "left"), (OTHER,)), plans=["positions"])
+    project = recorded(
+        small, Row(12, 0, Extreme("C", "left"), (Extreme("C", "right"),)), plans=["positions"]
+    )
     ratio, found = ratio_and_stroke(project)
     assert math.isclose(ratio, K_v, rel_tol=1e-9)
     assert math.isclose(found, stroke, rel_tol=1e-9)

@@ -181,15 +181,18 @@ def test_a_plan_of_no_position_is_drawn_at_no_degree(tmp_path: Path) -> None:
     assert invoke("page", path, "-o", tmp_path / "out").exit_code == 0
 
 
+@pytest.mark.parametrize("outside", [False, True])
 @pytest.mark.parametrize("text", [BOOM, SLIDER, LEVER])
-def test_a_row_with_ends_is_drawn_from_one_to_the_other(text: str) -> None:
+def test_a_row_with_ends_is_drawn_from_one_to_the_other(text: str, outside: bool) -> None:
+    extra = {BOOM: '"655 mm"', SLIDER: '"0.3011 m"', LEVER: '"33.3 deg"'}[text]
+    text, plain = f"{text}extra = [{extra}]\n" if outside else text, text
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         made = tmm.draw(scene(text), exact=True)._work.drawn_scene
         assert made.mechanism is not None
         found = _dense(made.mechanism)
     ends = [
-        one for one in (made.mechanism.project.coordinates[k] for k in (0, -1)) if one is not None
+        one for one in (made.mechanism.project.coordinates[k] for k in (0, 5)) if one is not None
     ]
     assert found.ends
     assert [found.angles[0], found.angles[found.whole - 1]] == pytest.approx(ends, abs=1e-12)
@@ -204,5 +207,5 @@ def test_a_row_with_ends_is_drawn_from_one_to_the_other(text: str) -> None:
     for link, rate in plans.velocities.rates.items():
         own = np.broadcast_to(reading[rate][0], found.angles.shape)
         np.testing.assert_allclose(own, motion.omega[link], rtol=1e-9)
-    assert found.named(0, "en") == {BOOM: "600.0 mm", SLIDER: "250.0 mm", LEVER: "20.0°"}[text]
-    assert found.drawn.names[0] == {BOOM: "600 mm", SLIDER: "250 mm", LEVER: "20°"}[text]
+    assert found.named(0, "en") == {BOOM: "600.0 mm", SLIDER: "250.0 mm", LEVER: "20.0°"}[plain]
+    assert found.drawn.names[0] == {BOOM: "600 mm", SLIDER: "250 mm", LEVER: "20°"}[plain]

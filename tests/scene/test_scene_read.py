@@ -95,7 +95,7 @@ def test_windrower():
     assert drive.task.given == {"K_v": 1.45, "stroke": 0.095, "OB": 0.48}
     assert drive.mechanism.drive.speed == pytest.approx(380 * math.pi / 30, rel=1e-15)
     assert drive.row.zero == Extreme("D", "left")
-    assert drive.row.extra == ("other extreme",)
+    assert drive.row.extra == (Extreme("D", "right"),)
     assert drive.row.accelerations == ("2", "6", "8")
     assert drive.scales.mu_l == 0.004
 
@@ -204,7 +204,7 @@ group = ""
     assert (link.mass, link.centre) == (2.0, "S")
     assert full.mechanism.by_number[2].side == Side(-1, ("O", "B"), (90.0, 270.0))
     assert (full.mechanism.drive.speed, full.mechanism.drive.acceleration) == (-10.0, -3.0)
-    assert full.row.extra == ("other extreme", 105.0, 7.0)
+    assert full.row.extra == (Extreme("B", "bottom"), 105.0, 7.0)
     assert full.row.accelerations == ("2", "6*", "24")
     assert full.row.zero == Extreme("B", "top")
     assert full.trajectories == ("B", "S")

@@ -12,10 +12,12 @@ from support.boards import recorded
 
 
 def project_of(
-    mechanism: Mechanism, point: str, at: str, *extra: float | str, **row: int
+    mechanism: Mechanism, point: str, at: str, *extra: float | Extreme | None, **row: int
 ) -> Project:
-    """Draw the positions of a row that begins where ``point`` is extreme."""
-    wanted = Row(row.get("count", 12), row.get("first", 0), Extreme(point, at), extra)
+    """Draw the positions of a row that begins where ``point`` is extreme; None: the other extreme."""
+    zero = Extreme(point, at)
+    also = tuple(zero.opposite if one is None else one for one in extra)
+    wanted = Row(row.get("count", 12), row.get("first", 0), zero, also)
     return recorded(mechanism, wanted, plans=["positions"])
 
 

@@ -51,27 +51,28 @@ class _Refine:
 
     tried: Callable[[Reals], Reals]
 
-    def __call__(self, low: Angle, high: Angle) -> Angle:
+    def __call__(self, low: Reals, high: Reals) -> Reals:
         every = np.broadcast_arrays(low, high)
         found = narrow(self.tried, *(one.reshape(-1, 1) for one in every))
-        return Angle(found.reshape(every[0].shape))
+        return found.reshape(every[0].shape)
 
 
-def refinement(tried: Callable[[Reals], Reals], sentence: str) -> Operation:
-    """Return the operation that finds, between two angles, where a smaller construction changes its sign.
+def refinement(tried: Callable[[Reals], Reals], sentence: str, kind: object = Angle) -> Operation:
+    """Return the operation that finds, between two coordinates, where a smaller construction changes its sign.
 
-    ``tried`` runs the smaller construction at a row of angles (degrees) and returns its last reading;
-    ``sentence`` names the angles as {low} and {high}, what is found as {it}.
+    ``tried`` runs the smaller construction at a row of them (of the ``kind``: degrees, or Number in m) and
+    returns its last reading; ``sentence`` names them as {low} and {high}, what is found as {it}.
     """
+    lengths = said("no change of sign between the two lengths")
     return Operation(
         REFINE,
         _Refine(tried),
-        (Angle, Angle),
+        (kind, kind),
         ("low", "high"),
-        Angle,
+        kind,
         (),
         sentence,
-        fails=said("no change of sign between the two angles"),
+        fails=said("no change of sign between the two angles") if kind is Angle else lengths,
         # of a trial: its angle laid off, its last segment read; the trial itself comes on top
         symbol="nP1 + nP2 + nM1 + nR1 + nM3",
     )

@@ -36,7 +36,7 @@ from graphic_tmm.chapters.kinematics.dead_centres import (
     draw_dead_centres,
     slider_of,
 )
-from graphic_tmm.chapters.kinematics.extremes import try_extreme
+from graphic_tmm.chapters.kinematics.extremes import Wanted, try_extreme
 from graphic_tmm.chapters.kinematics.row import zero_of
 from graphic_tmm.chapters.kinematics.survey import Survey, survey
 from graphic_tmm.errors import StructureError
@@ -303,7 +303,9 @@ def end_of(scene: Scene, travel: Travel) -> str:
     mechanism, zero = scene.mechanism, scene.row.zero
     assert mechanism is not None
     tried = survey(mechanism, dissect(mechanism))
-    angle = try_extreme(tried, zero).angle if isinstance(zero, Extreme) else zero_of(scene.row)
+    angle = (
+        try_extreme(tried, Wanted(zero)).angle if isinstance(zero, Extreme) else zero_of(scene.row)
+    )
     course = _course_by(tried.given, tried.positions, tried, travel)[0]
     at = np.array([angle])
     if not travel.start and any(_comes(course, at, side, stands=True) for side in (1, -1)):

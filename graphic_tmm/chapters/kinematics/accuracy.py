@@ -8,14 +8,14 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.accuracy.quantities import Accuracy, Effect, Quantity, Trial, Value
-from graphic_tmm.board.operations.locus import REFINE
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
+from graphic_tmm.chapters.kinematics.extremes import Velocity
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Extreme, Row
+from graphic_tmm.mechanism.records import Row
 from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import FinerRow
 from graphic_tmm.scene.records import Scales, Scene
@@ -76,14 +76,13 @@ def resampled(values: Sequence[float], count: int) -> tuple[float, ...]:
 
 def _tried(project: Project) -> dict[Mark, Trial]:
     """Return what is tried where an extreme position is found by trying."""
-    zero = project.scene.row.zero
-    steps = [step.it for step in project.construction.steps if step.op.name == REFINE]
-    if not steps or not isinstance(zero, Extreme):
-        return {}
-    small = KINEMATICS_PLAN.on(project).tried
-    along = "x" if zero.at in ("left", "right") else "y"
-    trial = Trial(small.construction, small.positions.row[0], small.axes[zero.point, along])
-    return dict.fromkeys(steps, trial)
+    found = dict[Mark, Trial]()
+    for step in project.construction.steps:
+        speed = getattr(step.op.run, "tried", None)
+        if isinstance(speed, Velocity):
+            small = speed.survey
+            found[step.it] = Trial(small.construction, small.positions.row[0], speed.axis)
+    return found
 
 
 def _effects(scene: Scene) -> Iterator[Effect]:

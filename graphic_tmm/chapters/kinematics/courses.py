@@ -133,7 +133,9 @@ def draw_end(draft: Draft, positions: Positions, course: Course, which: int) -> 
             found.append(known)
             continue
         if angle is None:
-            angle = refined(draft, course.speed, _narrowed(course), tried, f"{letter}{sign}")
+            angle = refined(
+                draft, survey.sweep, course.speed, _narrowed(course), tried, f"{letter}{sign}"
+            )
         found.append(redrawn(draft, survey, mark, angle, (letter, f"{letter}{sign}", role)))
     draft.open(view)
     return tuple(found)

@@ -19,6 +19,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions
 from graphic_tmm.chapters.kinematics.courses import Course, redrawn
 from graphic_tmm.chapters.kinematics.extremes import (
+    Wanted,
     draw_refined,
     slider_end,
     try_extreme,
@@ -112,7 +113,7 @@ WAYS = {"left": -1 + 0j, "right": 1 + 0j, "bottom": -1j, "top": 1j}
 
 def turned_at(survey: Survey, slider: Slider, choice: int) -> float:
     """Return the crank's angle, degrees, at a dead centre."""
-    return try_extreme(survey, extreme_at(survey, slider, choice)).angle
+    return try_extreme(survey, Wanted(extreme_at(survey, slider, choice))).angle
 
 
 def _direction(survey: Survey, slider: Slider) -> complex:
@@ -131,7 +132,7 @@ def _tried(
     draft: Draft, survey: Survey, slider: Slider, choice: int, named: tuple[str, str]
 ) -> Mark:
     extreme = extreme_at(survey, slider, choice)
-    angle = draw_refined(draft, survey, extreme, try_extreme(survey, extreme), named[0])
+    angle = draw_refined(draft, survey, extreme, try_extreme(survey, Wanted(extreme)), named[0])
     return redrawn(
         draft, survey, survey.positions.point(slider.point), angle, (slider.point, *named)
     )

@@ -19,41 +19,48 @@ from graphic_tmm.board.operations.formulas import difference, total
 from graphic_tmm.board.operations.instruments import bearing, cross, cut, strike, touch
 from graphic_tmm.board.operations.locus import refinement
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Reals, Side, undefined
+from graphic_tmm.board.values import Number, Reals, Side, undefined
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.assembly import check_assembly
 from graphic_tmm.chapters.kinematics.bodies import Body, draw_guide
 from graphic_tmm.chapters.kinematics.dyads import rocker_offset
 from graphic_tmm.chapters.kinematics.positions import side_record
-from graphic_tmm.chapters.kinematics.survey import Survey
+from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, said
 from graphic_tmm.mechanism.groups import Group
 from graphic_tmm.mechanism.guides import level
-from graphic_tmm.mechanism.records import Extreme
+from graphic_tmm.mechanism.records import Extreme, Sweep
 
 SAME = 1e-6
 """Degrees: a drawn extreme that is nearer than this to the one tried out is the same."""
 STILL = 1e-9
 """A point that travels less than this share of its distance from the crank's pivot stands still."""
 _WAY = {"left": ("x", -1), "right": ("x", 1), "bottom": ("y", -1), "top": ("y", 1)}
-OPPOSITE = {"left": "right", "right": "left", "top": "bottom", "bottom": "top"}
 
 Speed = Callable[[Reals], Reals]
 """How fast something goes at coordinates of the drive (trial, position)."""
 
 
 class Tried(NamedTuple):
-    """An extreme found by trying: the bracket and the angle, degrees."""
+    """An extreme found by trying: the bracket and the coordinate of the drive, degrees or m."""
 
     low: float
     high: float
     angle: float
 
 
-def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, tag: str) -> Mark:
-    """Record how the crank's angle at an extreme position is found; return its mark (degrees).
+class Wanted(NamedTuple):
+    """An extreme position that a row wants: its key; ``ends``: between which coordinates, of an open row."""
+
+    extreme: Extreme
+    key: str = "zero"
+    ends: tuple[float, float] | None = None
+
+
+def draw_extreme(draft: Draft, survey: Survey, frame: Body, wanted: Wanted, tag: str) -> Mark:
+    """Record how the drive's coordinate at an extreme position is found; return its mark (degrees or m).
 
     ``tag`` marks the letters of this position ("0", "*").
 
@@ -62,12 +69,13 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, ta
     StructureError
         If the point is not a moving point of the mechanism, or has no extreme position that way.
     """
-    tried = try_extreme(survey, extreme)
+    tried, extreme = try_extreme(survey, wanted), wanted.extreme
     draft.open(VIEW)
     if draft.board.construction().view(VIEW) is None:
         draft.lay_out(frame.marks[survey.structure.origin], draft.mu_l)
     group = survey.structure.groups[0]
-    draw = _CONSTRUCTIONS.get(group.kind) if len(survey.pairs) == 1 else None
+    alone = len(survey.pairs) == 1 and survey.sweep.turns
+    draw = _CONSTRUCTIONS.get(group.kind) if alone else None
     if draw is not None and _on_crank_and_frame(survey, group):
         for choice in (1, -1):
             probe = Draft()
@@ -78,94 +86,98 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, extreme: Extreme, ta
     return draw_refined(draft, survey, extreme, tried, tag)
 
 
-def try_extreme(survey: Survey, extreme: Extreme) -> Tried:
+def try_extreme(survey: Survey, wanted: Wanted) -> Tried:
     """Find by trying where a point comes to an extreme position; StructureError if it does not."""
-    name, way = _WAY[extreme.at]
-    axis = survey.axes.get((extreme.point, name))
+    point, at = wanted.extreme.point, wanted.extreme.at
+    name, way = _WAY[at]
+    axis = survey.axes.get((point, name))
     if axis is None:
-        raise StructureError(
-            said(
-                "{point} is not a moving point of the mechanism (moving: {listed})",
-                point=extreme.point,
-                listed=", ".join(dict.fromkeys(letter for letter, _ in survey.axes)),
-            ),
-            "drive.zero",
-            head="zero",
+        says = said(
+            "{point} is not a moving point of the mechanism (moving: {listed})",
+            point=point,
+            listed=", ".join(dict.fromkeys(letter for letter, _ in survey.axes)),
         )
-    mark = survey.positions.point(extreme.point)
-    angles, reading, there = over_whole(survey, [mark])
+        raise StructureError(says, f"drive.{wanted.key}", head=wanted.key)
+    mark = survey.positions.point(point)
+    row, reading, there = over_whole(survey, [mark], wanted.ends)
     place = reading[mark][0].real if name == "x" else reading[mark][0].imag
     place = np.where(there, place, np.nan)
+    tried = Tried(np.nan, np.nan, np.nan)
     if not np.isfinite(place).any():
-        raise StructureError(
-            said("{point} cannot be drawn at any crank angle", point=extreme.point),
-            "drive.zero",
-            head="zero",
+        says = said("{point} cannot be drawn at any crank angle", point=point)
+    elif np.nanmax(place) - np.nanmin(place) <= STILL * np.nanmax(np.abs(reading[mark])):
+        says = said(
+            "{point} moves neither {ways}: name another point, or give zero as an angle",
+            point=point,
+            ways=said("left nor right") if name == "x" else said("up nor down"),
         )
-    if np.nanmax(place) - np.nanmin(place) <= STILL * np.nanmax(np.abs(reading[mark])):
-        ways = said("left nor right") if name == "x" else said("up nor down")
-        raise StructureError(
-            said(
-                "{point} moves neither {ways}: name another point, or give zero as an angle",
-                point=extreme.point,
-                ways=ways,
-            ),
-            "drive.zero",
-            head="zero",
-        )
-    best = int(np.nanargmax(way * place))
-    tried = turning_back(survey, _Velocity(survey, axis), float(angles[0, best]))
-    angle = tried.angle
-    if not np.isfinite(angle) and not np.isfinite(place).all():
-        raise StructureError(
-            said(
-                "{point} does not come to an extreme position at {at}, for the crank does not turn "
-                "round: {says}; change the lengths, or give zero as an angle there",
-                point=extreme.point,
-                at=extreme.at,
-                says=check_assembly(survey).said,
-            ),
-            "drive.zero",
-            head="zero",
-        )
-    if not np.isfinite(angle):
-        raise StructureError(
-            said(
-                "{point} has no extreme position at {at} (near the crank angle {angle:.4g}° it does "
-                "not stand still): give zero as an angle",
-                point=extreme.point,
-                at=extreme.at,
-                angle=angles[0, best],
-            ),
-            "drive.zero",
-            head="zero",
-        )
+    else:
+        best = float(row[0, int(np.nanargmax(way * place))])
+        tried = turning_back(survey, Velocity(survey, axis), best, wanted.ends)
+        says = _has_none(survey, wanted, best, whole=bool(np.isfinite(place).all()))
+    if not np.isfinite(tried.angle):
+        raise StructureError(says, f"drive.{wanted.key}", head=wanted.key)
     return tried
 
 
-def over_whole(survey: Survey, marks: list[Mark]) -> tuple[Reals, Reading, np.ndarray]:
-    """Read marks over the whole sweep: its coordinates (1, n), the reading, where all groups can be drawn."""
+def _has_none(survey: Survey, wanted: Wanted, best: float, *, whole: bool) -> Said:
+    """Return why a point does not turn back where it comes farthest; ``whole``: it can be drawn everywhere."""
+    point, at = wanted.extreme.point, wanted.extreme.at
+    if wanted.ends is not None:
+        return said(
+            "{point} does not turn back at {at} between the ends of the row, it goes on there: name another "
+            "point or side, or leave this position out",
+            point=point,
+            at=at,
+        )
+    if whole:
+        return said(
+            "{point} has no extreme position at {at} (near the crank angle {angle:.4g}° it does "
+            "not stand still): give zero as an angle",
+            point=point,
+            at=at,
+            angle=best,
+        )
+    return said(
+        "{point} does not come to an extreme position at {at}, for the crank does not turn "
+        "round: {says}; change the lengths, or give zero as an angle there",
+        point=point,
+        at=at,
+        says=check_assembly(survey).said,
+    )
+
+
+def over_whole(
+    survey: Survey, marks: list[Mark], ends: tuple[float, float] | None = None
+) -> tuple[Reals, Reading, np.ndarray]:
+    """Read marks over the whole sweep, or from end to end.
+
+    Return its coordinates (1, n), the reading, and where all groups can be drawn.
+    """
     closed = [
         root for closing in survey.positions.closings for root in (closing.root, closing.point)
     ]
-    row, reading = survey.whole([*marks, *closed])
+    row, reading = survey.whole([*marks, *closed], ends)
     gone = [undefined(reading[root])[0] for root in closed]
     return row, reading, ~np.logical_or.reduce(np.broadcast_arrays(np.zeros(row.size, bool), *gone))
 
 
-def turning_back(survey: Survey, speed: Speed, best: float) -> Tried:
+def turning_back(
+    survey: Survey, speed: Speed, best: float, ends: tuple[float, float] | None = None
+) -> Tried:
     """Find by trying where a speed passes 0 beside a coordinate; NaN where it does not."""
-    low, high = _bracket(survey, speed, best)
+    step = survey.step if ends is None else (ends[1] - ends[0]) / STEPS
+    low, high = _bracket(step, speed, best)
     tried = refinement(speed, "").run(np.array([[low]]), np.array([[high]]))
-    return Tried(float(low), float(high), float(tried[0, 0]))
+    return Tried(low, high, float(tried[0, 0]))
 
 
-def _bracket(survey: Survey, speed: Speed, best: float) -> tuple[float, float]:
-    """Return two crank angles about ``best`` with velocities of opposite senses; NaN if there are none.
+def _bracket(step: float, speed: Speed, best: float) -> tuple[float, float]:
+    """Return two coordinates about ``best`` with velocities of opposite senses; NaN if there are none.
 
     At the end of the crank's range the point stops for want of room, not because it stands still.
     """
-    row = best + np.array([[-1.0, 0.0, 1.0]]) * survey.step
+    row = best + np.array([[-1.0, 0.0, 1.0]]) * step
     value = speed(row)[0]
     for low, high in ((0, 2), (0, 1), (1, 2)):
         if value[low] * value[high] <= 0.0:  # not so of NaN
@@ -174,36 +186,46 @@ def _bracket(survey: Survey, speed: Speed, best: float) -> tuple[float, float]:
 
 
 @dataclass(frozen=True, eq=False)
-class _Velocity:
-    """How fast a point moves along an axis, at a row of crank angles (degrees): a reading of the survey."""
+class Velocity:
+    """How fast a point moves along an axis, at a row of coordinates of the drive: a reading of the survey."""
 
     survey: Survey
     axis: Mark
 
     def __call__(self, row: Reals) -> Reals:
+        """Return it at coordinates (trial, position), m/s."""
         return np.asarray(self.survey.at(row, [self.axis])[self.axis])
 
 
 def draw_refined(draft: Draft, survey: Survey, extreme: Extreme, tried: Tried, tag: str) -> Mark:
-    """Record how the crank's angle at an extreme position is looked for; return its mark (degrees)."""
+    """Record how the drive's coordinate at an extreme position is looked for; return its mark."""
     name, _ = _WAY[extreme.at]
-    axis = survey.axes[extreme.point, name]
-    sentence = said(
-        "Try crank angles between {low} and {high}, each time narrowing to where the image of {point} "
-        "passes the pole; this is {it}.",
-        point=extreme.point,
-        low="{low}",
-        high="{high}",
-        it="{it}",
-    )
-    return refined(draft, _Velocity(survey, axis), sentence, tried, tag)
+    axis, says = survey.axes[extreme.point, name], _BY_ANGLES if survey.sweep.turns else _BY_LENGTHS
+    sentence = said(says, point=extreme.point, low="{low}", high="{high}", it="{it}")
+    return refined(draft, survey.sweep, Velocity(survey, axis), sentence, tried, tag)
 
 
-def refined(draft: Draft, speed: Speed, sentence: str, tried: Tried, tag: str) -> Mark:
-    """Record that a coordinate is looked for between those that were tried; return its mark (degrees)."""
-    step = refinement(speed, sentence)
-    low, high = draft.direction(tried.low), draft.direction(tried.high)
-    return draft.draw(step, f"φ_{{{tag}}}", low, high, unit="°", why=why.STANDS_STILL)
+_BY_ANGLES = said(
+    "Try crank angles between {low} and {high}, each time narrowing to where the image of {point} "
+    "passes the pole; this is {it}."
+)
+_BY_LENGTHS = said(
+    "Try lengths between {low} and {high}, each time narrowing to where the image of {point} passes the "
+    "pole; this is {it}."
+)
+
+
+def refined(
+    draft: Draft, sweep: Sweep, speed: Speed, sentence: str, tried: Tried, tag: str
+) -> Mark:
+    """Record that a coordinate is looked for between those that were tried; return its mark (degrees or m)."""
+    ends, letter = (tried.low, tried.high), f"{sweep.letter}_{{{tag}}}"
+    if sweep.turns:
+        step, taken = refinement(speed, sentence), [draft.direction(one) for one in ends]
+    else:
+        step = refinement(speed, sentence, Number)
+        taken = [draft.take(Number, "", one, sweep.unit) for one in ends]
+    return draft.draw(step, letter, *taken, unit=sweep.unit, why=why.STANDS_STILL)
 
 
 def _on_crank_and_frame(survey: Survey, group: Group) -> bool:

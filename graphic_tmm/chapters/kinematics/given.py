@@ -13,7 +13,7 @@ from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.language.units import small, unit
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.masses import inertia_letter
-from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism
+from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism, Sweep
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.narration import remark
 from graphic_tmm.readers.task_sheet import SIZE, Given, given_figure
@@ -37,18 +37,32 @@ def given(scene: Scene) -> Iterator[Given]:
     for pair in pairs[1:]:
         own = pair.sweep
         yield Given(f"{own.letter}_{{{pair.link},0}}", pair.drive.start, "°" if own.turns else SIZE)
-    if scene.row.ends is not None or scene.row.places:
-        yield stroke(scene)
+    if scene.row.open:
+        yield _places(scene, pairs[0].sweep)
     yield from _masses(mechanism)
     yield Given("positions in a turn", scene.row.count)
 
 
 def stroke(scene: Scene) -> Given:
     """Return what an open row goes through: from where to where (20…75°, 600…850 mm), or all its places."""
+    ends = scene.row.ends
+    return coordinates(scene, ends, "…") if ends else coordinates(scene, scene.row.places)
+
+
+def _places(scene: Scene, sweep: Sweep) -> Given:
+    """Return the stroke of an open row, with the lengths outside it; angles there are names of positions."""
+    own, row = stroke(scene), scene.row
+    outside = [one for one in row.extra if isinstance(one, float) and not sweep.turns]
+    if not outside:
+        return own
+    return own._replace(value=f"{own.value}; {coordinates(scene, outside).value}")
+
+
+def coordinates(scene: Scene, values: Sequence[float], between: str = "; ") -> Given:
+    """Return coordinates of the first drive: angles, or lengths in the unit that shows them best."""
     assert scene.mechanism is not None
     sweep = driven(scene.mechanism, dissect(scene.mechanism))[0].sweep
-    between, some = ("…", scene.row.ends) if scene.row.ends else ("; ", scene.row.places)
-    sizes = [(one, "°") if sweep.turns else small(one, scene.language) for one in some]
+    sizes = [(one, "°") if sweep.turns else small(one, scene.language) for one in values]
     figures = between.join(given_figure(size, scene.language) for size, _ in sizes)
     return Given(sweep.letter, figures, sizes[0][1])
 

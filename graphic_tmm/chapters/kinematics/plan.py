@@ -175,7 +175,7 @@ def record(bench: Bench) -> KinematicPlans:
             "indicator.strokes",
             head="positions",
         )
-    assembly = check_assembly(tried, None if row.extra else row.ends)
+    assembly = check_assembly(tried, row.reach)
     check_fit(tried)
     frame = draw_frame(draft, mechanism, structure)
     row = _filled(row, assembly)
@@ -231,12 +231,12 @@ def record(bench: Bench) -> KinematicPlans:
         accelerated,
         extreme_places(row),
         guides(draft.board.construction()),
-        _numbers(values, row, mechanism.drive, tried.sweep),
+        numbered.numbers,
         row.count,
         turns,
         further,
         closes,
-        None if row.ends is None and not row.places else (float(values.min()), float(values.max())),
+        (float(values.min()), float(values.max())) if row.open else None,
         None if closes else np.abs(values[0] - values[0, 0]),
         by_drive,
         summed,
@@ -361,19 +361,6 @@ def chosen(wanted: tuple[str, ...], names: tuple[str, ...], section: str) -> tup
             head=section,
         )
     return tuple(sorted(names.index(name) for name in set(wanted)))
-
-
-def _numbers(values: np.ndarray, row: Row, drive: Drive, sweep: Sweep) -> np.ndarray:
-    """Return where each position stands in the row, in intervals of it; extras stand between."""
-    travelled = (values[0] - values[0, 0]) * drive.sense
-    if row.ends is not None or row.places:
-        own = np.abs(values[0, : row.count] - values[0, 0])
-        numbers = np.interp(travelled, own, np.arange(row.count))
-    else:
-        turn = sweep.high - sweep.low
-        numbers = (np.round(travelled, LAST) % turn) * row.count / (turn * row.turns)
-    numbers[: row.count] = np.arange(row.count)
-    return np.asarray(numbers)
 
 
 def _within(sweep: Sweep, value: float) -> float:

@@ -52,7 +52,7 @@ def reaches(survey: Survey, ends: tuple[float, float] | None) -> tuple[Reach, ..
     wanted = [mark for guide in found for mark in (*guide.marks, *rigid(log.figures, guide.name))]
     if not found:
         return ()
-    reading = survey.whole(wanted)[1] if ends is None else survey.over(ends, wanted)
+    reading = survey.whole(wanted, ends)[1]
     return tuple(reach_of(log, reading, guide) for guide in found)
 
 

@@ -11,12 +11,13 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.formulas import advance, run_out
-from graphic_tmm.board.operations.instruments import stand
+from graphic_tmm.board.operations.instruments import stand, stand_out
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Body
-from graphic_tmm.chapters.kinematics.extremes import OPPOSITE, draw_extreme
+from graphic_tmm.chapters.kinematics.extremes import Wanted, draw_extreme
+from graphic_tmm.chapters.kinematics.sides import LAST
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.chapters.kinematics.task import POSITIONS
@@ -24,52 +25,78 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Extreme, Row, Sweep
 
-OTHER, DEGREES = "other extreme", "°"
+DEGREES = "°"
 ROUNDING = 1e-15
 """An angle that is off a rounder one by no more than this share of it is that one, rounded."""
 
 
 class Numbered(NamedTuple):
-    """The mark of the drive's coordinate, the names of the positions, its values as drawn exactly (° or m)."""
+    """The mark of the drive's coordinate; the names of the positions, their values as drawn exactly (° or m).
+
+    ``numbers``: where each position stands in the row, in intervals of it; extras stand between.
+    """
 
     at: Mark
     names: tuple[str, ...]
     values: np.ndarray
+    numbers: np.ndarray
 
 
 def draw_row(draft: Draft, survey: Survey, frame: Body, row: Row) -> Numbered:
-    """Record where the drive stands in every position: the row first, the extras behind it."""
+    """Record where the drive stands in every position: the row first, the extras behind it.
+
+    Raises
+    ------
+    StructureError
+        If a zero position is asked of what slides, a position is named twice, or an extreme one is not there.
+    """
     sweep, sense = survey.sweep, float(survey.mechanism.drive.sense)
-    if sweep.unit != DEGREES:
-        return _lengths(draft, sweep, row)
-    _refuse_repeated(row)
-    draft.open(VIEW)
-    zero = (
-        draw_extreme(draft, survey, frame, row.zero, "0")
-        if isinstance(row.zero, Extreme)
-        else draft.angle("φ_{0}", _steps(row, sense)[0])
-    )
-    extras = [_extra(draft, survey, frame, row, extra) for extra in row.extra]
+    turns, letter = sweep.unit == DEGREES, sweep.letter
+    _refuse_zero(sweep, row)
+    _refuse_repeated(sweep, row)
+    outside = POSITIONS if row.open else VIEW
+    draft.open(outside)
+    first, steps = _steps(row, sense if turns else 1.0)
+    if isinstance(row.zero, Extreme):
+        zero = draw_extreme(draft, survey, frame, Wanted(row.zero), "0")
+    else:
+        zero = _given(draft, sweep, f"{letter}_{{0}}", first)
+    extras, tag = list[Mark](), ""
+    for extra in row.extra:
+        if isinstance(extra, Extreme):
+            _refuse_late(survey, extra)
+            tag += "*"
+            extras.append(
+                draw_extreme(draft, survey, frame, Wanted(extra, "extra", row.reach), tag)
+            )
+        else:
+            draft.open(outside)
+            name = _degrees(row, extra) if turns else f"{extra:.10g}"
+            extras.append(_given(draft, sweep, f"{letter}_{{{name}}}", extra))
     size = row.count + len(extras)
-    turned = np.zeros((1, size))
-    turned[0, : row.count] = _steps(row, sense)[1]
-    draft.open(POSITIONS if row.open else VIEW)
-    by = draft.take(Angle, "Δφ", turned, "°", roles.ROW)
-    because = why.FROM_FIRST if row.open else ""
-    phi = draft.draw(advance, "φ_{n}", zero, by, unit="°", why=because)
+    gone = np.zeros((1, size))
+    gone[0, : row.count] = steps
+    draft.open(outside)
+    by = draft.take(Angle if turns else Number, f"Δ{letter}", gone, sweep.unit, roles.ROW)
+    because = why.FROM_FIRST if turns and row.open else ""
+    on, apart = (advance, stand) if turns else (run_out, stand_out)
+    at = draft.draw(on, f"{letter}_{{n}}", zero, by, unit=sweep.unit, why=because)
     for place, mark in enumerate(extras):
         there = np.zeros((1, size))
         there[0, row.count + place] = 1.0
-        at = draft.take(Number, "", there)
-        phi = draft.draw(stand, "φ", phi, mark, at, unit="°")
-    values = execute(
-        draft.board.construction(), draft.given | {draft.mu_l: 1.0}, [phi, zero, *extras]
-    )
-    start = float(values[zero][0, 0])
-    names = [str(row.first + k) for k in range(row.count)]
-    for extra, mark in zip(row.extra, extras, strict=True):
-        names.append(_name(row, extra, (float(values[mark][0, 0]) - start) * sense))
-    return Numbered(phi, tuple(names), np.broadcast_to(values[phi], (1, size)))
+        chosen = draft.take(Number, "", there)
+        at = draft.draw(apart, letter, at, mark, chosen, unit=sweep.unit)
+    log = draft.board.construction()
+    values = execute(log, draft.given | {draft.mu_l: 1.0}, [at])[at]
+    values = np.broadcast_to(values, (1, size))
+    numbers = _numbers(values[0], row, sweep, sense)
+    return Numbered(at, _names(row, numbers, turns=turns), values, numbers)
+
+
+def _given(draft: Draft, sweep: Sweep, letter: str, value: float) -> Mark:
+    if sweep.turns:
+        return draft.angle(letter, value)
+    return draft.take(Number, letter, value, sweep.unit)
 
 
 def zero_of(row: Row) -> float:
@@ -88,37 +115,34 @@ def _steps(row: Row, sense: float) -> tuple[float, np.ndarray]:
     return zero, sense * 360.0 * row.turns * np.arange(row.count) / row.count
 
 
-def _lengths(draft: Draft, sweep: Sweep, row: Row) -> Numbered:
-    """Record how far what slides has come in every position, m."""
-    if row.extra or row.zero != 0.0:
+def _refuse_zero(sweep: Sweep, row: Row) -> None:
+    if not sweep.turns and row.zero != 0.0:
         raise StructureError(
             said(
                 "a drive that slides has a row from one length to another: write from and to, or all "
-                'places, positions = ["600 mm", "700 mm"], and no {key}',
-                key="extra" if row.extra else "zero",
+                'places, positions = ["600 mm", "700 mm"], and no zero',
             ),
-            "drive.extra" if row.extra else "drive.zero",
+            "drive.zero",
             head="drive",
         )
-    draft.open(POSITIONS)
-    first, steps = _steps(row, 1.0)
-    zero = draft.take(Number, f"{sweep.letter}_{{0}}", first, sweep.unit)
-    by = draft.take(Number, f"Δ{sweep.letter}", steps[None, :], sweep.unit, roles.ROW)
-    at = draft.draw(run_out, f"{sweep.letter}_{{n}}", zero, by, unit=sweep.unit)
-    names = tuple(str(row.first + k) for k in range(row.count))
-    return Numbered(at, names, (first + steps)[None, :])
 
 
 def extreme_places(row: Row) -> tuple[int, ...]:
     """Return the positions (indices) of a row that are extreme positions of a point."""
     zero = (0,) if isinstance(row.zero, Extreme) else ()
-    return (*zero, *(row.count + k for k, extra in enumerate(row.extra) if extra == OTHER))
+    return (
+        *zero,
+        *(row.count + k for k, extra in enumerate(row.extra) if isinstance(extra, Extreme)),
+    )
 
 
-def _refuse_repeated(row: Row) -> None:
+def _refuse_repeated(sweep: Sweep, row: Row) -> None:
     for place, extra in enumerate(row.extra):
-        if extra in row.extra[:place]:
-            told = f'"{extra}"' if isinstance(extra, str) else f"{extra:.10g}°"
+        if extra in row.extra[:place] or (isinstance(extra, Extreme) and extra == row.zero):
+            if isinstance(extra, Extreme):
+                told = f"{extra.point}: {extra.at}"
+            else:
+                told = f"{extra:.10g}{'°' if sweep.turns else ' m'}"
             raise StructureError(
                 said("{told} is named twice: leave one of the two out", told=told),
                 "drive.extra",
@@ -126,36 +150,23 @@ def _refuse_repeated(row: Row) -> None:
             )
 
 
-def _extra(draft: Draft, survey: Survey, frame: Body, row: Row, extra: float | str) -> Mark:
-    if not isinstance(extra, str):
-        return draft.angle(f"φ_{{{_degrees(row, extra)}}}", extra)
-    if not isinstance(row.zero, Extreme):
+def _refuse_late(survey: Survey, extreme: Extreme) -> None:
+    if survey.returning_late and survey.sweep.closed:
         raise StructureError(
             said(
-                '"other extreme" needs a zero position that is an extreme itself: give zero = '
-                '{ point = "D", at = "left" }, or the crank angle in degrees'
-            ),
-            "drive.extra",
-            "drive.zero",
-            head="extra",
-        )
-    if survey.returning_late:
-        raise StructureError(
-            said(
-                '"other extreme" may lie in the second turn (group {group} flips an odd number of '
-                "times in a turn): give the crank angle in degrees",
+                "the extreme position of {point} may lie in the second turn (group {group} flips an odd "
+                "number of times in a turn): give the crank angle in degrees",
+                point=extreme.point,
                 group=survey.returning_late[0],
             ),
             "drive.extra",
             head="extra",
         )
-    other = Extreme(row.zero.point, OPPOSITE[row.zero.at])
-    return draw_extreme(draft, survey, frame, other, "*")
 
 
 def _degrees(row: Row, angle: float) -> str:
     """Return an angle with ten digits, or as many more as tell it from a rounder one and from the others."""
-    others = [other for other in row.extra if not isinstance(other, str) and other != angle]
+    others = [other for other in row.extra if isinstance(other, float) and other != angle]
     for digits in range(10, 18):
         told = f"{angle:.{digits}g}"
         rounder = len(told) < digits and abs(float(told) - angle) > ROUNDING * abs(angle)
@@ -164,10 +175,30 @@ def _degrees(row: Row, angle: float) -> str:
     return told
 
 
-def _name(row: Row, extra: float | str, travelled: float) -> str:
-    if not isinstance(extra, str):
-        return f"{_degrees(row, extra)}°"
-    in_turn = row.count // row.turns
-    interval = (travelled % 360.0) * in_turn / 360.0
-    passed = math.floor(interval + 1e-9) % in_turn
-    return f"{row.first + passed}*"
+def _numbers(values: np.ndarray, row: Row, sweep: Sweep, sense: float) -> np.ndarray:
+    """Return where coordinates stand in a row, in intervals of it."""
+    if row.open:
+        own = values[: row.count]
+        order = np.argsort(own)
+        numbers = np.interp(values, own[order], order)
+    else:
+        turn = sweep.high - sweep.low
+        gone = np.round((values - values[0]) * sense, LAST) % turn
+        numbers = gone * row.count / (turn * row.turns)
+    numbers[: row.count] = np.arange(row.count)
+    return np.asarray(numbers)
+
+
+def _names(row: Row, numbers: np.ndarray, *, turns: bool) -> tuple[str, ...]:
+    """Return the names of positions: numbers, angles outside the row, others after the position they follow."""
+    names = [str(row.first + k) for k in range(row.count)]
+    for extra, number in zip(row.extra, numbers[row.count :], strict=True):
+        if turns and not isinstance(extra, Extreme):
+            names.append(f"{_degrees(row, extra)}°")
+            continue
+        passed = math.floor(number + 1e-9) % (row.count // row.turns)
+        name = f"{row.first + passed}*"
+        while name in names:
+            name += "*"
+        names.append(name)
+    return tuple(names)

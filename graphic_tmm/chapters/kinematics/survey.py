@@ -87,15 +87,16 @@ class Survey:
         given = self.given | {self.positions.row[0]: row}
         return execute(self.construction, given | standing(self, row), wanted)
 
-    def over(self, ends: tuple[float, float], wanted: Iterable[Mark]) -> Reading:
-        """Run from one coordinate to another."""
-        return self.at(np.linspace(*ends, STEPS + 1)[None, :], wanted)
-
-    def whole(self, wanted: Iterable[Mark]) -> tuple[Reals, Reading]:
-        """Run over all of its sweep, a whole turn; return the coordinates (1, n) and the reading."""
+    def whole(
+        self, wanted: Iterable[Mark], ends: tuple[float, float] | None = None
+    ) -> tuple[Reals, Reading]:
+        """Run over all of its sweep, or from end to end; return coordinates (1, n) and reading."""
         sweep = self.sweep
-        steps = np.arange(STEPS if sweep.closed else STEPS + 1, dtype=np.float64)[None, :]
-        row = sweep.low + steps * self.step
+        if ends is not None:
+            row = np.linspace(*ends, STEPS + 1)[None, :]
+        else:
+            steps = np.arange(STEPS if sweep.closed else STEPS + 1, dtype=np.float64)[None, :]
+            row = sweep.low + steps * self.step
         return row, self.at(row, wanted)
 
 
@@ -240,7 +241,7 @@ def least_angle(tried: Survey, ends: tuple[float, float] | None = None) -> float
     """
     closings = tuple(dyads(tried.positions.closings, TRANSMISSION))
     lines = [leg.line for closing in closings for leg in closing.legs]
-    reading = tried.whole(lines)[1] if ends is None else tried.over(ends, lines)
+    reading = tried.whole(lines, ends)[1]
     with np.errstate(all="ignore"):
         sines = [float(np.nanmin(_sine(reading, one), initial=np.inf)) for one in closings]
     least = min(sines, default=1.0)

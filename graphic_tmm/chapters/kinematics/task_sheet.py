@@ -4,27 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.kinematics.given import given, stated, stroke, wanted_accelerations
-from graphic_tmm.chapters.kinematics.row import OTHER
+from graphic_tmm.chapters.kinematics.given import (
+    coordinates,
+    given,
+    stated,
+    stroke,
+    wanted_accelerations,
+)
 from graphic_tmm.chapters.kinematics.scheme import scheme
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, POSITIONS, VELOCITIES, Rows
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
-from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.mechanism.records import Extreme
+from graphic_tmm.readers.narration import remark
+from graphic_tmm.readers.task_sheet import Given, TaskSheet
 from graphic_tmm.scene.records import Scene
 
 
 def positions(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the plan of positions, and for the paths of points."""
-    _, row = speaking(language), scene.row
-    extra = [f"{one:g}°" for one in row.extra if one != OTHER and not isinstance(one, str)]
+    _ = speaking(language)
     yield _row(scene, language)
-    if OTHER in row.extra:
-        yield _(_OTHER)
-    if extra:
-        yield _(_ANGLES, n=len(extra), listed=", ".join(extra))
+    yield from _extra(scene, language)
     if scene.trajectories:
         yield _(_PATHS, n=len(scene.trajectories), listed=", ".join(scene.trajectories))
     asked = ASKED.of(scene)
@@ -37,9 +40,35 @@ def _row(scene: Scene, language: str) -> str:
     _, row = speaking(language), scene.row
     if not row.open:
         return _(_PLAN, n=row.count, first=str(row.first))
-    letter, figures, of = stroke(scene)
-    told = f"{letter} = {figures}{'' if of == '°' else ' '}{unit(of, language)}"
+    told = _equal(stroke(scene), language)
     return _(_PLACES if row.places else _STROKE, n=row.count, stroke=told, first=str(row.first))
+
+
+def _equal(given: Given, language: str) -> str:
+    """Return what is given as an equation: l = 600…850 mm."""
+    letter, figures, of = given
+    return f"{letter} = {figures}{'' if of == '°' else ' '}{unit(of, language)}"
+
+
+def _extra(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the positions outside the row: extreme ones, at angles, at lengths."""
+    _, zero = speaking(language), scene.row.zero
+    extremes = [one for one in scene.row.extra if isinstance(one, Extreme)]
+    places = [one for one in scene.row.extra if not isinstance(one, Extreme)]
+    other = zero.opposite if isinstance(zero, Extreme) else None
+    if other in extremes:
+        yield _(_OTHER)
+    for one in extremes:
+        if one != other:
+            yield _(_EXTREME, extreme=remark(f"{one.point}: {one.at}", language))
+    if not places:
+        return
+    drawn = coordinates(scene, places)
+    if drawn.unit == "°":
+        listed = ", ".join(f"{one:g}°" for one in places)
+        yield _(_ANGLES, n=len(places), listed=listed)
+    else:
+        yield _(_LENGTHS_APART, n=len(places), listed=_equal(drawn, language))
 
 
 def _rows(asked: Rows, language: str) -> Iterator[str]:
@@ -129,6 +158,11 @@ _ANGLES = said(
     "The position at the crank's angle {listed} is drawn as well.",
     "The positions at the crank's angles {listed} are drawn as well.",
 )
+_LENGTHS_APART = said(
+    "The position at {listed} is drawn as well.",
+    "The positions at {listed} are drawn as well.",
+)
+_EXTREME = said("Besides, the {extreme} is drawn.")
 _PATHS = said("The path of point {listed} is drawn.", "The paths of points {listed} are drawn.")
 _POSSIBLE = said("Plans of possible velocities are drawn for all positions.")
 _VELOCITIES = said("Velocity plans are drawn for all positions.")

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.board import roles
-from graphic_tmm.board.operations.instruments import stand
+from graphic_tmm.board.operations.instruments import stand, stand_out
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_numbers import Letters
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
@@ -83,7 +83,7 @@ def between(drawn: Drawn, turn: Turn) -> Between:
         mark: turn.turned[None, :] for mark in log.given if mark.role == roles.ROW
     }
     none = np.zeros((1, turn.turned.size))
-    found |= {step.uses[2]: none for step in log.steps if step.op is stand}
+    found |= {step.uses[2]: none for step in log.steps if step.op in (stand, stand_out)}
     angles = float(drawn.numbers.drawn[made.positions.row[0]][0, 0]) + turn.turned[None, :]
     return found | standing(made, angles, carried=True) | _changing(drawn, made, turn)
 
@@ -173,7 +173,7 @@ def _passed(project: Project) -> Passed:
     if plans.ends is None:
         return Passed(not plans.assembly.ranges, least_angle(plans.tried))
     points = [closing.point for closing in plans.tried.positions.closings]
-    reading = plans.tried.over(plans.ends, points)
+    reading = plans.tried.whole(points, plans.ends)[1]
     whole = all(np.isfinite(reading[point]).all() for point in points)
     return Passed(whole, least_angle(plans.tried, plans.ends), ends=True)
 

@@ -9,7 +9,7 @@ from graphic_tmm.checking.readings.names import DASHES, NOTHING, Meant, meant, s
 
 _POSITION = re.compile(
     r"\(?(?:no|#|pos(?:ition)?\.?|пол(?:ож(?:ение)?)?\.?)?\s*0*(\d+)(?:-?[ея]|[.,]0*)?"
-    r"\s*([*×xх]|°|deg|град\.?)?\)?"
+    r"\s*([*×xх]+|°|deg|град\.?)?\)?"
 )
 _ROMAN = re.compile(r"(x{0,2})(ix|iv|v?i{0,3})")
 _LOOK_ALIKE = str.maketrans({"і": "i", "х": "x", "ӏ": "i"})
@@ -83,5 +83,7 @@ def _numbered(name: str) -> tuple[str, str] | None:
     if found is None:
         return None
     number, mark = found.groups()
-    sign = "*" if mark in ("*", "×", "x", "х") else "°" if mark else ""
+    sign = "°" if mark else ""
+    if mark and mark[0] in "*×xх":
+        sign = "*" * len(mark)
     return str(int(number)), sign

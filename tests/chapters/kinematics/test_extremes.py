@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support import drives
 from support.boards import recorded
 from support.each import each
 from support.examples import most
@@ -20,16 +21,16 @@ from support.rows import apart, places, project_of
 
 import graphic_tmm
 from graphic_tmm.board.values import undefined
-from graphic_tmm.chapters.kinematics.extremes import OPPOSITE
-from graphic_tmm.chapters.kinematics.row import OTHER
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.mechanism.records import Drive, Link, Mechanism, Side
+from graphic_tmm.mechanism.records import Drive, Extreme, Link, Mechanism, Row, Side
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.project import Project
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
+
+WAYS = ("bottom", "left", "right", "top")
 
 
 def operations(project: Project) -> list[str]:
@@ -52,9 +53,7 @@ def test_a_slider_is_extreme_where_crank_and_rod_are_in_line(
     far = complex(sign * math.sqrt((rod + r) ** 2 - e * e), e)
     near = complex(sign * math.sqrt((rod - r) ** 2 - e * e), e)
     ways = ("right", "left") if sign > 0 else ("left", "right")
-    project = project_of(
-        slider_crank(r, rod, e, sign=sign, drive=(speed, 0.0)), "B", ways[0], OTHER
-    )
+    project = project_of(slider_crank(r, rod, e, sign=sign, drive=(speed, 0.0)), "B", ways[0], None)
     assert apart(project.coordinates[0], bearing(far)) < 1e-9
     assert apart(project.coordinates[-1], bearing(-near)) < 1e-9
     found = places(project, "B")
@@ -94,7 +93,7 @@ def test_a_rocker_is_extreme_where_crank_and_coupler_are_in_line(
         cosine = (reach**2 + abs(c) ** 2 - s * s) / (2 * reach * abs(c))
         b = reach * cmath.rect(1.0, cmath.phase(c) + sign * math.acos(cosine))
         due.append((bearing(away * b), b))
-    ways = sorted(OPPOSITE, key=lambda way: way)
+    ways = sorted(WAYS)
     found = {}
     for way in ways:
         try:
@@ -168,7 +167,7 @@ def test_an_extreme_is_as_far_as_the_point_comes(name: str, letter: str, at: str
 
 @pytest.mark.slow
 @settings(max_examples=most(40), deadline=None)
-@given(drawn=mechanisms(dyads=(1, 2)), at=st.sampled_from(sorted(OPPOSITE)))
+@given(drawn=mechanisms(dyads=(1, 2)), at=st.sampled_from(WAYS))
 def test_of_any_mechanism_the_extreme_is_as_far_as_the_point_comes(drawn: Sampled, at: str) -> None:
     letter = sorted(set(drawn.points) - set(drawn.mechanism.frame.points))[-1]
     try:
@@ -277,3 +276,78 @@ def test_a_piston_that_nothing_moves_is_refused_without_a_warning() -> None:
         StructureError, match=r"B не приходит|B does not come to an extreme position"
     ):
         make(graphic_tmm.read(far))
+
+
+# rows that are open: lengths, parts of a turn
+
+
+def places_of(text: str, extra: str) -> tuple[Project, float]:
+    """Return a scene as drawn with positions outside its row, and the coordinate of the last, m or degrees."""
+    made = drives.scene(text.replace("[drive]", f"[drive]\nextra = {extra}"))
+    assert made.mechanism is not None
+    project = recorded(made.mechanism, made.row, plans=["positions", "velocities"])
+    return project, project.coordinates[-1]
+
+
+@pytest.mark.parametrize(
+    ("text", "extra", "due"),
+    [
+        # the boom stands upright: GN² = OG² + ON²
+        (drives.BOOM, '{ point = "C", at = "top" }', math.hypot(0.4, 0.5)),
+        # the crank stands upright: OB² = AB² − OA²
+        (drives.SLIDER, '{ point = "A", at = "bottom" }', math.sqrt(0.3**2 - 0.1**2)),
+        # the piston of a rack: the crank has turned by s/40 mm
+        (
+            drives.RACK.replace('"120 mm"', '"220 mm"'),
+            '{ point = "A", at = "left" }',
+            0.04 * math.pi,
+        ),
+    ],
+)
+def test_an_extreme_between_two_lengths_is_where_its_closed_form_says(
+    text: str, extra: str, due: float
+) -> None:
+    project, found = places_of(text, f"[{extra}]")
+    assert abs(found - due) < 1e-12
+    assert operations(project) == ["refine"]
+    unit = [step.it.unit for step in project.construction.steps if step.op.name == "refine"]
+    assert unit == ["m"]
+
+
+def test_an_extreme_within_a_part_of_a_turn_is_the_one_of_that_part() -> None:
+    project, found = places_of(drives.LEVER, '[{ point = "B", at = "right" }]')
+    row = np.radians(np.linspace(20.0, 75.0, 200_001))
+    a, c = 0.1 * np.exp(1j * row), 0.4
+    reach = np.abs(c - a)
+    turn = np.arccos((0.35**2 + reach**2 - 0.3**2) / (2 * 0.35 * reach))
+    b = a + 0.35 * np.exp(1j * (np.angle(c - a) + turn))
+    due = float(np.degrees(row[np.argmax(b.real)]))
+    assert abs(found - due) < 1e-3
+    assert 20.0 < found < 75.0
+    assert project.names[-1] == "1*"
+
+
+@pytest.mark.parametrize(
+    ("text", "extra"),
+    [
+        (drives.BOOM, '{ point = "N", at = "right" }'),
+        (drives.SLIDER, '{ point = "A", at = "top" }'),
+        (drives.LEVER, '{ point = "A", at = "top" }'),
+    ],
+)
+def test_a_point_that_goes_on_at_the_end_of_its_row_has_no_extreme_there(
+    text: str, extra: str
+) -> None:
+    with pytest.raises(StructureError, match=r"extra: . does not turn back at .* goes on there"):
+        places_of(text, f"[{extra}]")
+
+
+def test_extremes_of_two_points_may_stand_in_one_interval() -> None:
+    """Of the crank-slider's pin the top, of a point of its rod the top too: both between 3 and 4."""
+    mechanism = slider_crank(0.1, 0.3)
+    top, right = Extreme("A", "top"), Extreme("A", "right")
+    project = recorded(mechanism, Row(4, 0, 10.0, (top, right, 95.0)), plans=["positions"])
+    assert project.names == ("0", "1", "2", "3", "0*", "3*", "95°")
+    assert project.coordinates[4:] == pytest.approx((90.0, 0.0, 95.0), abs=1e-9)
+    both = recorded(mechanism, Row(2, 0, 10.0, (top, Extreme("A", "left"))), plans=["positions"])
+    assert both.names == ("0", "1", "0*", "0**")

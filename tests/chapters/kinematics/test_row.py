@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from support import drives
 from support.boards import recorded
@@ -12,9 +13,8 @@ from support.linkages import slider_crank
 from support.rows import apart, places, project_of
 
 import graphic_tmm as tmm
-from graphic_tmm.chapters.kinematics.row import OTHER
-from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.records import Row
+from graphic_tmm.errors import SceneError, StructureError
+from graphic_tmm.mechanism.records import Extreme, Row
 from graphic_tmm.scene.read import read
 
 
@@ -43,7 +43,7 @@ def test_the_other_extreme_is_named_after_the_position_it_follows(
     speed: float, first: int, name: str
 ) -> None:
     project = project_of(
-        slider_crank(0.1, 0.3, 0.05, drive=(speed, 0.0)), "B", "right", OTHER, first=first
+        slider_crank(0.1, 0.3, 0.05, drive=(speed, 0.0)), "B", "right", None, first=first
     )
     travelled = (speed * (project.coordinates[-1] - project.coordinates[0])) % 360
     assert project.names[-1] == name
@@ -51,14 +51,14 @@ def test_the_other_extreme_is_named_after_the_position_it_follows(
 
 
 def test_an_extreme_exactly_on_a_position_is_named_after_it() -> None:
-    project = project_of(slider_crank(0.3, 0.64), "B", "right", OTHER)
+    project = project_of(slider_crank(0.3, 0.64), "B", "right", None)
     assert project.names[-1] == "6*"
     assert project.coordinates[-1] == pytest.approx(180.0, abs=1e-12)
 
 
 def test_extra_angles_stand_as_given_outside_the_row() -> None:
     project = project_of(
-        slider_crank(0.3, 0.64, drive=(-1.0, 0.0)), "B", "right", 105.0, OTHER, -30.0
+        slider_crank(0.3, 0.64, drive=(-1.0, 0.0)), "B", "right", 105.0, None, -30.0
     )
     assert project.names[12:] == ("105°", "6*", "-30°")
     assert project.coordinates[12] == 105.0
@@ -73,11 +73,6 @@ def test_extra_angles_alone_are_drawn_at_those_angles() -> None:
     phi = math.radians(77.5)
     due = 0.3 * math.cos(phi) + math.sqrt(0.64**2 - (0.3 * math.sin(phi)) ** 2)
     assert abs(places(project, "B")[-1] - due) < 1e-15
-
-
-def test_the_other_extreme_needs_a_zero_that_is_one() -> None:
-    with pytest.raises(StructureError, match="needs a zero position that is an extreme itself"):
-        recorded(slider_crank(0.3, 0.64), Row(12, extra=(OTHER,)))
 
 
 @pytest.mark.parametrize("letter", ["O", "Q"])
@@ -97,9 +92,16 @@ def test_a_trajectory_of_a_point_that_is_not_there_is_refused() -> None:
 
 
 @pytest.mark.parametrize(
-    ("extra", "said"), [((OTHER, OTHER), OTHER), ((105.0, 20.0, 105.0), "105°")]
+    ("extra", "said"),
+    [
+        ((None, None), "B: left"),
+        ((Extreme("B", "right"),), "B: right"),
+        ((105.0, 20.0, 105.0), "105°"),
+    ],
 )
-def test_an_extra_named_twice_is_refused(extra: tuple[float | str, ...], said: str) -> None:
+def test_an_extra_named_twice_is_refused(
+    extra: tuple[float | Extreme | None, ...], said: str
+) -> None:
     with pytest.raises(StructureError, match="named twice") as caught:
         project_of(slider_crank(0.3, 0.64), "B", "right", *extra)
     assert said in str(caught.value)
@@ -137,12 +139,68 @@ def test_an_extra_is_named_with_as_many_digits_as_tell_it() -> None:
 @pytest.mark.parametrize(
     ("text", "point"), [(drives.RACK, "A"), (drives.BOOM, "N"), (drives.SLIDER, "A")]
 )
-@pytest.mark.parametrize(
-    "key", ['zero = "20 deg"', 'zero = { point = "%s", at = "left" }', 'extra = ["90 deg"]']
-)
+@pytest.mark.parametrize("key", ['zero = "20 deg"', 'zero = { point = "%s", at = "left" }'])
 def test_a_row_of_lengths_takes_no_angle(text: str, point: str, key: str) -> None:
     kept = [line for line in text.splitlines() if not line.startswith(("from", "to ="))]
     scene = tmm.read("\n".join([*kept, key.replace("%s", point)]))
     assert scene.mechanism is not None
     with pytest.raises(StructureError, match=f"from one length .* and no {key.split()[0]}"):
         recorded(scene.mechanism, scene.row)
+
+
+@pytest.mark.parametrize(
+    ("row", "names"),
+    [
+        ('from = "600 mm"\nto = "850 mm"\npositions = 6', ("2*", "1*", "4*", "2**", "0*", "5*")),
+        ('from = "850 mm"\nto = "600 mm"\npositions = 6', ("3*", "3**", "0*", "2*", "5*", "0**")),
+        ('positions = ["600 mm", "0.7 m", "850 mm"]', ("1*", "0*", "1**", "1***", "0**", "2*")),
+    ],
+)
+@pytest.mark.parametrize("first", [0, 1])
+def test_lengths_outside_the_row_are_named_after_the_position_they_follow(
+    row: str, names: tuple[str, ...], first: int
+) -> None:
+    lengths = (0.7, 0.655, 0.84, 0.705, 0.59, 0.86)
+    extra = ", ".join(f'"{1000 * one:g} mm"' for one in lengths)
+    text = drives.BOOM.replace('from = "600 mm"\nto = "850 mm"\npositions = 6', row)
+    made = drives.scene(f"{text}extra = [{extra}]\nfirst = {first}\n")
+    assert made.mechanism is not None
+    project = recorded(made.mechanism, made.row, plans=["positions", "velocities"])
+    count = made.row.count
+    assert project.coordinates[count:] == pytest.approx(lengths, abs=1e-15)
+    assert project.names[count:] == tuple(f"{int(one[0]) + first}{one[1:]}" for one in names)
+    n = places(project, "N")
+    assert np.abs(n[count:] - 0.4) == pytest.approx(lengths, abs=1e-15)
+
+
+def test_a_length_outside_the_row_that_is_named_twice_is_refused() -> None:
+    made = drives.scene(f'{drives.BOOM}extra = ["700 mm", "0.7 m"]\n')
+    assert made.mechanism is not None
+    with pytest.raises(StructureError, match=r"extra: 0.7 m is named twice"):
+        recorded(made.mechanism, made.row)
+
+
+STROKE = 'from = "600 mm"\nto = "850 mm"\npositions = 6'
+UNORDERED = drives.BOOM.replace(STROKE, 'positions = ["700 mm", "0.6 m", "850 mm"]')
+
+
+@pytest.mark.parametrize(
+    ("text", "extra", "wanted"),
+    [
+        (drives.BOOM, '"90 deg"', 'a length is wanted, "200 mm": link 3 slides'),
+        (drives.RACK, '"90 deg"', 'a length is wanted, "200 mm": the rack slides'),
+        (drives.LEVER, '"90 mm"', 'an angle is wanted, "20 deg": link 1 turns'),
+        (drives.BOOM, '{ point = "G", at = "top" }', '"G" stands on the frame'),
+        (drives.BOOM, '{ point = "Q", at = "top" }', '"Q" is not a letter'),
+        (drives.BOOM, '{ point = "C", at = "up" }', 'it is one of "left", "right"'),
+        (drives.BOOM, '"other extreme"', "the other extreme of what"),
+        (UNORDERED, '"640 mm"', "write these among them"),
+    ],
+)
+def test_positions_outside_the_row_are_lengths_of_what_slides(
+    text: str, extra: str, wanted: str
+) -> None:
+    with pytest.raises(SceneError) as caught:
+        drives.scene(f"{text}extra = [{extra}]\n")
+    assert "drive.extra" in str(caught.value)
+    assert wanted in str(caught.value)

@@ -22,7 +22,7 @@ from graphic_tmm.checking.readings.writing import result_columns
 from graphic_tmm.readers.table import scene_columns, scene_results
 
 PLANS = ("positions", "velocities", "accelerations", "diagrams", "flywheel", "forces", "results")
-POSITIONS = (*map(str, range(12)), "7*", "105°", "")
+POSITIONS = (*map(str, range(12)), "7*", "9*", "9**", "105°", "")
 
 
 @cache
@@ -143,7 +143,17 @@ def test_a_name_of_several_plans_is_not_guessed():
     "typed, due",
     [
         *[("01", "1"), ("1.0", "1"), ("1,0", "1"), ("1.", "1"), ("011", "11"), ("№3", "3")],
-        *[("7 *", "7*"), ("7∗", "7*"), ("07*", "7*"), ("7х", "7*"), ("pos. 3", "3"), ("00", "0")],
+        *[
+            ("7 *", "7*"),
+            ("9 **", "9**"),
+            ("09хх", "9**"),
+            ("9×", "9*"),
+            ("7∗", "7*"),
+            ("07*", "7*"),
+            ("7х", "7*"),
+            ("pos. 3", "3"),
+            ("00", "0"),
+        ],
         *[("105", "105°"), ("105 deg", "105°"), ("-", ""), ("—", ""), ("₇", "7")],
     ],
 )
