@@ -18,6 +18,8 @@ from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.task import FORCES
 
 Pair = tuple[int, int]
+Side = tuple[str, Mark, Mark]
+"""A side of a polygon: its letter, its tail, its head."""
 
 
 class Reaction(NamedTuple):
@@ -65,11 +67,11 @@ class Solution(NamedTuple):
 
 
 class Polygon(NamedTuple):
-    """A polygon of forces as drawn: of what, its scale, its sides (letter, tail, head) in order."""
+    """A polygon of forces as drawn: of what, its scale, its sides in order."""
 
     of: Solution
     mu: Mark
-    sides: tuple[tuple[str, Mark, Mark], ...]
+    sides: tuple[Side, ...]
 
     @property
     def view(self) -> str:
@@ -82,7 +84,7 @@ class Chain:
 
     def __init__(self, draft: Draft, mu: Mark, start: Mark) -> None:
         self.draft, self.mu, self.end = draft, mu, start
-        self.sides: list[tuple[str, Mark, Mark]] = []
+        self.sides: list[Side] = []
 
     def add(self, letter: str, line: Mark, value: Mark) -> None:
         """Lay off a load parallel to its line of action."""

@@ -12,9 +12,9 @@ from graphic_tmm.board.operations.statics import at_friction_angle, balancing, r
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
-from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
+from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Side, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
-from graphic_tmm.chapters.forces.statics import Slope, Solved, reaction_of
+from graphic_tmm.chapters.forces.statics import Slope, Solved, links_of, reaction_of
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.errors import StructureError
@@ -37,10 +37,29 @@ class Alone(NamedTuple):
     about: Mark
 
 
+class RodForce(NamedTuple):
+    """What drives a rod, on its group's polygon: its letter, its ends, its length (signed).
+
+    It is drawn as it acts on the link at the closing point, rod or cylinder. ``rest``: the side square to the
+    rod that both hold each other with; None where a side of the polygon lies along the rod already.
+    """
+
+    letter: str
+    tail: Mark
+    head: Mark
+    length: Mark
+    rest: Side | None
+
+    @property
+    def side(self) -> Side:
+        """Its side."""
+        return self.letter, self.tail, self.head
+
+
 class Driven(NamedTuple):
     """A drive as solved: the balancing force (N) or moment (N·m), its letter, what it is on its link.
 
-    ``alone``: of a link that stands by itself; None of a rod, whose force is read off its group's polygon.
+    ``alone``: of a link that stands by itself; ``rod``: of a rod, whose force is read off its group's polygon.
     """
 
     pair: DrivenPair
@@ -49,6 +68,7 @@ class Driven(NamedTuple):
     force: Force | None
     couple: Couple | None
     alone: Alone | None
+    rod: RodForce | None = None
 
 
 class Place(NamedTuple):
@@ -156,9 +176,18 @@ def read_rod(place: Place, pair: DrivenPair, groups: Iterable[Solved]) -> Driven
     draft.open(solved.polygon.view)
     leg = pair.path(place.positions, draft.uses)
     along = draft.draw(parallel, f"({letter})", tail, leg, sense=1, why=why.ROD_FORCE)
-    length = draft.draw(measure_along, f"y_{{{letter}}}", tail, head, along, why=why.ROD_FORCE)
+    end, rest = head, None
+    if (tail, head) not in (side[1:] for side in solved.polygon.sides):
+        both = next(own for own in map(links_of, solved.closing.legs) if pair.link in own)
+        name = "R_{{{}{}}}".format(*both)
+        across = draft.draw(square, f"({name})", head, leg, sense=1, why=why.ROD_HELD)
+        number = len(solved.polygon.sides) + 1 + list(solved.rods).index(pair.link)
+        end = draft.draw(meet, str(number), along, across, why=why.ROD_HELD)
+        rest = (name, end, head)
+    length = draft.draw(measure_along, f"y_{{{letter}}}", tail, end, along, why=why.ROD_FORCE)
     balance = draft.draw(in_si, letter, length, unit="N")
-    return Driven(pair, letter, balance, None, None, None)
+    rod = RodForce(letter, tail, end, length, rest)
+    return Driven(pair, letter, balance, None, None, None, rod)
 
 
 def _refuse_moment(place: Place, pair: DrivenPair) -> None:

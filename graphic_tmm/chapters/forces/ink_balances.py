@@ -236,9 +236,7 @@ def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
     rods = [one for one in made.driven if one.pair.link in solved.rods]
     for driven in rods:
         length, *_ = writer.seen.by_mark[driven.balance].uses
-        pulls = "−" if writer.value(driven.balance) < 0.0 else ""
-        of_rod = driven.letter, length, driven.balance
-        yield _measured(writer, of_rod, solved.polygon, pulls)
+        yield _measured(writer, (driven.letter, length, driven.balance), solved.polygon)
     shown = {one.balance for one in rods}
     for force in (one for one in made.first.lever.forces if one.value not in shown):
         step = writer.seen.by_mark.get(force.value)  # friction along guides, read off the polygon
@@ -331,14 +329,14 @@ def _along(writer: Writer, force: Mark, polygon: Polygon) -> Row:
     return _measured(writer, (force.name, length, force), polygon)
 
 
-def _measured(writer: Writer, of: tuple[str, Mark, Mark], polygon: Polygon, sign: str = "") -> Row:
-    """A force by its mm; ``of``: its letter, its length on the polygon, its value; ``sign``."""
+def _measured(writer: Writer, of: tuple[str, Mark, Mark], polygon: Polygon) -> Row:
+    """A force by its mm; ``of``: its letter, its length on the polygon, its value."""
     letter_, length, value = of
     language = writer.language
     mm = f"{writer.length(length)} {unit('mm', language)}"
     mu = f"{number(writer.value(polygon.mu), language)} {unit('N/mm', language)}"
     told = writer.with_unit(value, "N")
-    return Row([f"{writer.letter(letter_)} = {sign}{mm}·{mu} = {sign}{told}"], value)
+    return Row([f"{writer.letter(letter_)} = {mm}·{mu} = {told}"], value)
 
 
 def _converted(writer: Writer, one: Converted) -> Row:

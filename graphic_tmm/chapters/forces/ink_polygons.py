@@ -11,7 +11,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import lay_off, measure, meet
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line
-from graphic_tmm.chapters.forces.detached import Polygon, Reaction
+from graphic_tmm.chapters.forces.detached import Polygon, Reaction, Side
+from graphic_tmm.chapters.forces.driving import RodForce
 from graphic_tmm.chapters.forces.ink_arrows import LEAST, pricks
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
@@ -23,6 +24,9 @@ from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
 
 __all__ = ["LEAST", "bar", "draw_polygon", "spot", "whole"]
+
+THIRD = 1 / 3
+"""How far along a rod's force its letter stands: in the middle stand those of the reactions near it."""
 
 
 def bar(letter: str) -> str:
@@ -49,9 +53,14 @@ class _Sides:
     """The sides of a polygon by the steps that drew them, and its reactions by those that measured them."""
 
     def __init__(
-        self, seen: Seen, polygon: Polygon, reactions: Sequence[Reaction], mu: float
+        self,
+        seen: Seen,
+        polygon: Polygon,
+        reactions: Sequence[Reaction],
+        rods: Sequence[RodForce],
+        mu: float,
     ) -> None:
-        self.seen, self.mu = seen, mu
+        self.seen, self.rods, self.mu = seen, rods, mu
         ends = {(tail, head) for _, tail, head in polygon.sides}
         self.across = {r.length: r for r in reactions if (r.tail, r.head) not in ends}
         self.laid = {head: letter for letter, _, head in polygon.sides}
@@ -60,7 +69,7 @@ class _Sides:
         closing = [one for one in reactions if one.head not in self.own]
         late = closing if self.closes else self.across.values()
         self.lengths = {(r.tail, r.head): r.length for r in late}
-        self.first = polygon.sides[0][1]
+        self.split = [side for rod in rods if rod.rest for side in (rod.side, rod.rest)]
 
     @property
     def own(self) -> Mapping[Mark, Step]:
@@ -83,10 +92,13 @@ class _Sides:
     def met(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """The sides of unknown size, once their lines have met; these go on a little behind the vertex."""
         lines = {seen.by_mark[use].uses[0]: use for use in step.uses}
-        for letter, tail, head in self.found:
+        sides, pen = self.found, "main"
+        if not any(step.it in side for side in sides):
+            sides, pen = [side for side in self.split if step.it in side], "thin"
+        for letter, tail, head in sides:
             begun = tail if head == step.it else head
             of = (lines.get(begun, step.it).slot, step.it.slot)
-            for stroke in self.arrow(letter, tail, head, k, "main"):
+            for stroke in self.arrow(letter, tail, head, k, pen):
                 yield stroke._replace(of=of)
             start, top = seen.point(begun, k), seen.point(step.it, k)
             if finite(start, top) and abs(top - start) >= LEAST:
@@ -98,10 +110,21 @@ class _Sides:
         for letter, tail, head in self.found:
             yield from self.arrow(letter, tail, head, k, "main")
 
-    def names(self, tail: Mark, head: Mark) -> tuple[int, ...]:
-        """The marks with which a vector and its letter are there: its ends, the length whose step draws it."""
-        marks = (tail, head, self.lengths.get((tail, head)))
-        return tuple(mark.slot for mark in marks if mark is not None)
+    def lettered(self, polygon: Polygon) -> Iterator[tuple[Side, float, tuple[int, ...]]]:
+        """Yield what bears a letter, how far along it, and the marks with which that is there.
+
+        These are its ends and its length, if it is there when measured.
+        """
+        across = [(r.letter, r.tail, r.head) for r in self.across.values()]
+        rests = (rod.rest for rod in self.rods if rod.rest is not None)
+        for side in (*polygon.sides, *across, *rests):
+            length = self.lengths.get(side[1:])
+            yield side, 0.5, tuple(mark.slot for mark in (*side[1:], length) if mark is not None)
+        for (
+            rod
+        ) in self.rods:  # on a side that is there already its letter is of the step that read it
+            marks = (rod.tail, rod.head, *(() if rod.rest else (rod.length,)))
+            yield rod.side, THIRD, tuple(mark.slot for mark in marks)
 
     def arrow(self, letter: str, tail: Mark, head: Mark, k: int, pen: str) -> Iterator[Ink]:
         """The arrow of a side, unless it is a point."""
@@ -121,15 +144,16 @@ def draw_polygon(
     reactions: Sequence[Reaction],
     index: int,
     mu: float,
+    rods: Sequence[RodForce] = (),
     helping: bool = True,
 ) -> Drawing:
     """Return a polygon of forces in one position; the last sides were unknown.
 
     ``reactions``: of the group; those that are no side of the polygon are drawn across it. ``mu``: of the
-    forces, N/mm. Not ``helping``: without what is rubbed out.
+    forces, N/mm. ``rods``: what drives them. Not ``helping``: without what is rubbed out.
     """
     seen, high = on.seen((polygon.view,), [index]), on.heights
-    sides = _Sides(seen, polygon, reactions, mu)
+    sides = _Sides(seen, polygon, reactions, rods, mu)
     rules = {
         lay_off.name: sides.side,
         measure.name: sides.closing if sides.closes else sides.measured,
@@ -141,28 +165,26 @@ def draw_polygon(
         traces.rubbed += pricks(seen, (*traces.staying, *traces.rubbed), index)
     corners = [seen.point(tail, index) for _, tail, _ in polygon.sides]
     middle = complex(np.mean(corners))
-    drawn = [*polygon.sides, *((r.letter, r.tail, r.head) for r in sides.across.values())]
     wanted = [
-        _label(symbol(letter, on.language), tail, head, seen, middle, high)._replace(
-            of=sides.names(tail, head)
-        )
-        for letter, tail, head in drawn
+        _label(symbol(letter, on.language), tail, head, seen, middle, high, far)._replace(of=of)
+        for (letter, tail, head), far, of in sides.lettered(polygon)
         if abs(seen.point(head, index) - seen.point(tail, index)) >= LEAST
     ]
+    vertices = (mark for _, *ends in (*polygon.sides, *sides.split) for mark in ends)
     numbers = [
         Named(seen.point(mark, index), mark.name, (mark.slot,), index)
-        for mark in dict.fromkeys(mark for _, tail, head in polygon.sides for mark in (tail, head))
+        for mark in dict.fromkeys(vertices)
     ]
     wanted += lettered(shared(numbers, LEAST), high.number, away_from=middle)
     return traces.drawing(on, traces.staying, wanted)._replace(position=index)
 
 
 def _label(
-    letter: str, tail: Mark, head: Mark, seen: Seen, middle: complex, high: Heights
+    letter: str, tail: Mark, head: Mark, seen: Seen, middle: complex, high: Heights, far: float
 ) -> Wanted:
     (index,) = seen.positions
     a, b = seen.point(tail, index), seen.point(head, index)
-    at, out = (a + b) / 2, 1j * (b - a) / abs(b - a)
+    at, out = a + far * (b - a), 1j * (b - a) / abs(b - a)
     if ((at - middle) * out.conjugate()).real < 0:
         out = -out
     return Wanted(bar(letter), at, high.point, 1.0, out, position=index)

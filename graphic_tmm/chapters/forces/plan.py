@@ -19,7 +19,7 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import friction, loads
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
-from graphic_tmm.chapters.forces.driving import Alone, Driven, Place, solve_drives
+from graphic_tmm.chapters.forces.driving import Alone, Driven, Place, RodForce, solve_drives
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
 from graphic_tmm.chapters.forces.levers import Balanced, compared, draw_levers
 from graphic_tmm.chapters.forces.link_loads import draw_loads
@@ -75,6 +75,11 @@ class Forces:
     def driven(self) -> tuple[Driven, ...]:
         """The drives as the groups leave them."""
         return tuple(one.driven for one in self.balanced)
+
+    def rods(self, polygon: Polygon) -> tuple[RodForce, ...]:
+        """Return what drives rods as it lies on a polygon."""
+        rods = (one.rod for one in self.driven if one.rod is not None)
+        return tuple(rod for rod in rods if rod.tail.view == polygon.view)
 
     @property
     def alone(self) -> tuple[Alone, ...]:

@@ -138,7 +138,8 @@ def _pair(
     def sides(place: int) -> Drawing:
         if not whole(drawn.reading, polygon, reactions, place):
             return Drawing(polygon.view, "")
-        return draw_polygon(on, polygon, reactions, place, scale.value, helping=False)
+        rods = made.rods(polygon)
+        return draw_polygon(on, polygon, reactions, place, scale.value, rods, helping=False)
 
     yield Moving(
         f"forces {name}",

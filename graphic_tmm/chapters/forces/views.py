@@ -92,7 +92,8 @@ def polygon_at(drawn: Drawn, view: str, place: int, name: str) -> Drawing | None
     for polygon, reactions in (*groups, *alone):
         if polygon.view == view and whole(drawn.reading, polygon, reactions, place):
             sides = subject(drawn, "", "forces", name=name)
-            return finished(draw_polygon(sides, polygon, reactions, place, scale.at(place).value))
+            mu, rods = scale.at(place).value, made.rods(polygon)
+            return finished(draw_polygon(sides, polygon, reactions, place, mu, rods))
     return None
 
 
@@ -147,7 +148,8 @@ def _three(
         return [with_caption(figure, group, lettered, own, nothing)]
     scale = scale.at(place)
     lines = (mu_text(scale, language), vectors_of(polygon, language))
-    plan = draw_polygon(sides, polygon, reactions, place, scale.value)
+    rods = FORCES_PLAN.on(drawn).rods(polygon)
+    plan = draw_polygon(sides, polygon, reactions, place, scale.value, rods)
     return paired(
         [
             with_caption(figure, group, lettered, f"{own}, {_('forces not to scale')}", *pins),

@@ -196,6 +196,10 @@ ROD_FORCE = said(
     "Along the rod only the cylinder's oil or gas holds it: its force is the part along the rod of all else "
     "that acts on the rod, reversed; it pushes the rod out where it is positive."
 )
+ROD_HELD = said(
+    "Square to the rod the cylinder holds it: what it does there and the force along the rod are together the "
+    "reverse of all else that acts on the rod."
+)
 LEVER_ARM_OF_SLIDE = said(
     "The balancing force lies along the velocity that is given, so on the turned lever its arm is the segment "
     "of that velocity."
