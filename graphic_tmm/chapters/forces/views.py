@@ -278,7 +278,7 @@ def _verdict(drawn: Drawn, made: Forces, one: Balanced, place: int) -> list[str]
 
     of = unit("N" if made.order.balance == "force" else "N·m", language)
     values = at(one.balance), at(one.lever.balance)
-    if values[0] * values[1] > 0:  # of one sense, that of their arrows
+    if made.tool is None and values[0] * values[1] > 0:  # of one sense, that of their arrows
         values = abs(values[0]), abs(values[1])
     if len(made.balanced) > 1:
         names = symbol(one.driven.letter, language), symbol(one.lever.balance.name, language)
@@ -327,8 +327,8 @@ def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def _as_printed(drawn: Drawn, column: Column) -> Column:
     """Return a column as people read it: couples, and what balances, by their sizes, for senses are drawn.
 
-    Where both methods found opposite senses, their signs stay. Their difference is that of the two sizes as
-    they are printed.
+    Where both methods found opposite senses, their signs stay, and where a force at a tool is sought that of
+    what the groups leave at the drive. Their difference is that of the two sizes as they are printed.
     """
     made, value = FORCES_PLAN.on(drawn), column.value.copy()
     if column.letter in {one.letter for one in made.loads.couples_on_lever}:
@@ -341,7 +341,8 @@ def _as_printed(drawn: Drawn, column: Column) -> Column:
             for mark in (one.difference, one.balance, one.lever.balance)
         )
         if column.segment != names.difference:
-            value = np.where(sizes[0] * sizes[1] > 0.0, np.abs(value), value)
+            if made.tool is None:
+                value = np.where(sizes[0] * sizes[1] > 0.0, np.abs(value), value)
             continue
         for k in np.flatnonzero(np.isfinite(value[0])):
             value[0, k] = round(float(apart[k]), drawn.percent_decimals)

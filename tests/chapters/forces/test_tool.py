@@ -19,6 +19,7 @@ from support.words_of_drives import FIVE_BAR, OPEN_CRANK, TURNS
 
 import graphic_tmm
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
+from graphic_tmm.chapters.forces.views import force_table, lever_views
 from graphic_tmm.errors import TmmError
 
 HEAD = 'title = "T"\nlanguage = "en"\n'
@@ -216,3 +217,20 @@ def test_the_clamp_of_a_textbook() -> None:
     assert table["R12"].value[0, 0] == pytest.approx(1093, abs=0.5)
     assert table["P_tool"].value[0, 0] == pytest.approx(364, abs=0.5)
     assert abs(table["P_bal_left"].value[0, 0]) < 1e-9
+
+
+def test_what_is_left_at_the_drive_keeps_its_sign() -> None:
+    """In the table and under the lever: it is an error, whose sense no figure shows."""
+    shown = '[[sheet]]\nformat = "A1"\nplace = ["lever"]\n'
+    made = drawn_of(graphic_tmm.read(CLAMP.replace('"all"', "[1, 4]") + shown))
+    one = FORCES_PLAN.on(made).first
+    (above, below), (known, _) = (
+        made.reading[mark][0][[1, 4]] for mark in (one.balance, one.lever.balance)
+    )
+    assert above > 0.0 > below
+    assert known < 0.0
+    table, *levers = (*force_table(made, lettered=True), *lever_views(made, lettered=True))
+    assert {f"{above:.4f}", f"−{-below:.4f}"} <= {label.text for label in table.labels}
+    verdicts = [label.text.rpartition(", ")[2] for view in levers for label in view.labels]
+    for figure in (f"{above:.4g}", f"−{-below:.4g}"):
+        assert f"M_{{b}} = {figure} N·m" in verdicts
