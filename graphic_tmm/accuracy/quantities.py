@@ -12,6 +12,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark, segment_name
 from graphic_tmm.board.values import Length, Reals
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import unit_of_value
 from graphic_tmm.scene.chapter import MECHANISM, Answer, in_order
@@ -103,7 +104,7 @@ class Axis:
 
     name: str
     scenes: Callable[[Scene], Iterable[tuple[str, Scene]]]
-    bears: tuple[str, ...] = ()
+    bears: Callable[[Scene], tuple[str, ...]] = lambda scene: ()
     parts: Callable[[Scene], int] | None = None
     free: bool = False
     counted: str = ""
@@ -132,7 +133,8 @@ class Accuracy(Answer):
     by the mark that it leaves.
 
     ``effects``: what a scene could leave out; ``affected``: quantities that change with them, other than those
-    studied. A word called "letter" and the name of a quantity says what its letter means.
+    studied. A word called "letter" and the name of a quantity says what its letter means. ``called``: the word
+    of a name that scenes make up, "" where it is none of the chapter's.
 
     ``enlarged``: the scene drawn larger by a factor, every μ finer by it. ``poles``: the quantities that depend
     on its pole distances, none without a pole; ``farther``: the given marks with pole distances multiplied by a
@@ -144,6 +146,7 @@ class Accuracy(Answer):
     places: tuple[str, ...] = ()
     axes: tuple[Axis, ...] = ()
     words: Mapping[str, str] = field(default_factory=dict)
+    called: Callable[[str, Speech], str] = lambda name, speech: ""
     kept: Callable[[Project], Iterable[Mark]] = lambda project: ()
     tried: Callable[[Project], Mapping[Mark, Trial]] = lambda project: {}
     effects: Callable[[Scene], Iterable[Effect]] = lambda scene: ()

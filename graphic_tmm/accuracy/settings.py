@@ -172,8 +172,9 @@ def _declared(own: Setting) -> Iterator[Varied]:
     for chapter in chapters():
         for axis in Accuracy.of(chapter).axes:
             if axis.parts is None:
+                bears = axis.bears(own.scene)
                 for value, scene in axis.scenes(own.scene):
-                    yield Varied(axis.name, value, replace(own, scene=scene), axis.bears)
+                    yield Varied(axis.name, value, replace(own, scene=scene), bears)
         if Accuracy.of(chapter).poles(own.scene) and not moved:
             moved = True
             yield from _poles(own)

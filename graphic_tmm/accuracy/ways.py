@@ -180,12 +180,13 @@ class Ways:
         for axis in _free(board):
             if axis.name not in methods:
                 continue
-            best, least = methods[axis.name], _error(own, axis.bears, drawn)
+            bears = axis.bears(self.scene)
+            best, least = methods[axis.name], _error(own, bears, drawn)
             for value, _ in axis.scenes(self.scene):
                 other = (*divided, *{**methods, axis.name: value}.items())
                 part = self._part(board, other) if other != own.changes else own
-                if part is not None and _error(part, axis.bears, drawn) < least:
-                    best, least = value, _error(part, axis.bears, drawn)
+                if part is not None and _error(part, bears, drawn) < least:
+                    best, least = value, _error(part, bears, drawn)
             found.append((axis.name, best))
         return tuple(found)
 

@@ -6,7 +6,7 @@ from itertools import chain
 
 from graphic_tmm.accuracy.quantities import Accuracy
 from graphic_tmm.accuracy.settings import dividing
-from graphic_tmm.language.catalogue import Tongues, Words, speaking
+from graphic_tmm.language.catalogue import Speech, Tongues, Words, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import chapters
 
@@ -191,7 +191,14 @@ class _Words(Tongues):
 
     def __getitem__(self, language: str) -> Words:
         told = (Accuracy.of(one).words.items() for one in chapters())
-        return Words(_Names({**TEXTS, **dict(chain.from_iterable(told))}), speaking(language))
+        texts = _Names({**TEXTS, **dict(chain.from_iterable(told))})
+        return Words(texts, speaking(language), _called)
+
+
+def _called(name: str, speech: Speech) -> str:
+    """Return the word of a name that a scene makes up; "" where it has none."""
+    words = (Accuracy.of(one).called(name, speech) for one in chapters())
+    return next(filter(None, words), "")
 
 
 WORDS = _Words(TEXTS)

@@ -11,7 +11,10 @@ from support.tasks import by, drawing, measure, quantity, scales, scene
 
 from graphic_tmm.accuracy.drawing import References
 from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.settings import own_setting, singly
+from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.board.execute import execute
+from graphic_tmm.chapters.forces.task import ASKED, Friction
 from graphic_tmm.readers.position_count import at_count
 from graphic_tmm.readers.table import scene_columns, scene_results
 
@@ -31,6 +34,33 @@ from graphic_tmm.readers.table import scene_columns, scene_results
 )
 def test_a_scene_has_the_quantities_that_its_sheets_show(name: str, found: str) -> None:
     assert [q.name for q in quantities(drawing(name))] == found.split()
+
+
+def test_each_of_several_drives_has_its_balance_by_name() -> None:
+    drawn = drawing("excavator")
+    names = [one.name for one in quantities(drawn)]
+    assert names == ["v", "a", "P_bal_6", "P_bal_3"]  # the last is the main one: of the row
+    columns = {c.segment: c for c in scene_columns(exact("excavator"))}
+    for name, segment in (("P_bal_3", "P_bal_forces"), ("P_bal_6", "P_bal_6")):
+        mine = quantity(drawn, name)
+        value = mine.read(execute(drawn.construction, drawn.given, mine.marks), 1)
+        # forces are asked for in one position
+        np.testing.assert_allclose(value[0, 1], columns[segment].value[0, 1], rtol=1e-9)
+    assert WORDS["en"]["P_bal_6"] == "P_bal of link 6"
+    assert WORDS["ru"]["P_bal_3"] == "P_ур звена 3"
+    assert "link 6" in WORDS["en"]["letter P_bal_6"]
+    assert WORDS["en"]["J_fly_energy_mass"] != WORDS["en"]["P_none_6"] == "P_none_6"
+
+
+def test_passes_of_friction_bear_upon_the_balance_of_each_drive() -> None:
+    friction = Friction({"O": 0.1}, {"O": 0.05}, passes=2)
+    own = scene("excavator")
+    order = ASKED.of(own)
+    assert order is not None
+    rough = own_setting(ASKED.put(own, replace(order, friction=friction)), "exact", 10)
+    passes = [one for one in singly(rough, 10) if one.axis == "passes"]
+    assert passes
+    assert {one.only for one in passes} == {("P_bal_3", "P_bal_6")}
 
 
 @pytest.mark.slow

@@ -139,8 +139,8 @@ ACCURACY = Accuracy(
     quantities=_quantities,
     places=(DIAGRAMS,),
     axes=(
-        Axis("method", _methods, tuple(NAMES.values()), free=True),
-        Axis("start", _starts, tuple(NAMES.values())),
+        Axis("method", _methods, _poles, free=True),
+        Axis("start", _starts, _poles),
     ),
     enlarged=_enlarged,
     poles=_poles,

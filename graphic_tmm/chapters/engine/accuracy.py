@@ -90,6 +90,10 @@ def _enlarged(scene: Scene, drawn: Drawn, times: float) -> Scene:
     return ASKED.put(scene, replace(order, indicator=indicator, base=order.base * times))
 
 
+def _turning(scene: Scene) -> tuple[str, ...]:
+    return (TURNING,)
+
+
 WORDS = {
     TURNING: said("M of the engine"),
     "rod": said("mass of the rod"),
@@ -103,7 +107,7 @@ WORDS = {
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(ENGINE,),
-    axes=(Axis("rod", _rods, (TURNING,)), Axis("inertia", _series, (TURNING,))),
+    axes=(Axis("rod", _rods, _turning), Axis("inertia", _series, _turning)),
     effects=_effects,
     enlarged=_enlarged,
     words=WORDS,

@@ -15,6 +15,7 @@ from graphic_tmm.chapters.indicator.accuracy import BELOW, at_count, one_sided, 
 from graphic_tmm.chapters.kinematics.accuracy import renamed, resampled
 from graphic_tmm.chapters.kinematics.plan import ALL
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import FinerRow
@@ -29,15 +30,36 @@ FORCE, MOMENT, TOOL, REACTIONS = "P_bal", "M_bal", "P_tool", "R"
 
 def _quantities(project: Project) -> Iterator[Quantity]:
     made = FORCES_PLAN.on(project)
-    name, unit = (MOMENT, "N·m") if made.order.balance == "moment" else (FORCE, "N")
+    unit = "N·m" if made.order.balance == "moment" else "N"
     # of the last pass of friction, whether passes have settled or not: a hand that slips scatters more
-    value = (Value(made.driven[0].balance),)
+    found = [*zip(_balances(project.scene), (one.balance for one in made.driven), strict=True)]
     if made.tool is not None:
-        name, unit, value = TOOL, "N", (Value(made.tool.force.value),)
-    if made.order.friction is None:
-        yield Quantity(name, unit, value, project.count, due=value)
-    else:
-        yield Quantity(name, unit, value, project.count, reference=Reference(_many))
+        unit, found = "N", [(TOOL, made.tool.force.value)]
+    for name, mark in reversed(found):  # the last is the main one: that of the drive of the row
+        value = (Value(mark),)
+        if made.order.friction is None:
+            yield Quantity(name, unit, value, project.count, due=value)
+        else:
+            yield Quantity(name, unit, value, project.count, reference=Reference(_many))
+
+
+def _balances(scene: Scene) -> tuple[str, ...]:
+    """Return what the balances of drives are called; of several each bears the number of its link."""
+    order, mechanism = ASKED.of(scene), scene.mechanism
+    if order is None or mechanism is None:
+        return ()
+    name = MOMENT if order.balance == "moment" else FORCE
+    drives = mechanism.drives
+    return tuple(f"{name}_{drive.link}" for drive in drives) if len(drives) > 1 else (name,)
+
+
+def _called(name: str, speech: Speech) -> str:
+    """Return what the balance of one of several drives is called, or what its letter means."""
+    stem, _, link = name.rpartition("_")
+    meant = stem.removeprefix("letter ")
+    if meant not in (FORCE, MOMENT):
+        return ""
+    return speech(_MEANT if meant != stem else _OF_DRIVE, balance=speech(WORDS[meant]), link=link)
 
 
 def _many(scene: Scene) -> Scene | None:
@@ -156,16 +178,19 @@ WORDS = {
     "passes": said("passes of friction"),
 }
 """What is told of by name, in English."""
+_OF_DRIVE = said("{balance} of link {link}")
+_MEANT = said("what balances link {link}, which is driven")
 
 ACCURACY = Accuracy(
     quantities=_quantities,
     places=(FORCES,),
-    axes=(Axis("passes", _by_passes, (FORCE, MOMENT)),),
+    axes=(Axis("passes", _by_passes, _balances),),
     kept=_kept,
     effects=_effects,
     affected=_reactions,
     enlarged=_enlarged,
     words=WORDS,
+    called=_called,
 )
 
 
