@@ -27,7 +27,7 @@ from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.task import TURN, Travel, turns_of
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.courses import Course, draw_end
+from graphic_tmm.chapters.kinematics.courses import WIDEST, Course, draw_end
 from graphic_tmm.chapters.kinematics.dead_centres import (
     LEVEL,
     WAYS,
@@ -153,11 +153,25 @@ def _traveller(draft: Draft, ground: Drawing, travel: Travel, count: int) -> Tra
 
 
 def _first(course: Course, row: Reals, ground: Drawing) -> int:
-    """Return which end of a course an open row begins at that it goes through one way; else 0."""
+    """Return which end of a course an open row begins at that it goes through one way; else 0.
+
+    StructureError if a link turns farther there than a protractor reads.
+    """
     if ground.steps is None:
         return 0
-    gains = np.diff(course.places(np.linspace(row[0], row[ground.intervals - 1], BETWEEN + 1)))
-    return -1 if (gains > 0.0).all() else int((gains < 0.0).all())
+    places = course.places(np.linspace(row[0], row[ground.intervals - 1], BETWEEN + 1))
+    gains = np.diff(places)
+    first = -1 if (gains > 0.0).all() else int((gains < 0.0).all())
+    if first and course.link is not None and (swing := abs(places[-1] - places[0])) > WIDEST:
+        says = said(
+            "link {link} turns by {swing:.4g}° through the row, and a protractor reads {widest:g}° at most; "
+            "give the size by_position, or by_angle",
+            link=course.link,
+            swing=swing,
+            widest=WIDEST,
+        )
+        raise StructureError(says, "of", head="load")
+    return first
 
 
 class _Ends(NamedTuple):
@@ -212,6 +226,10 @@ def _course_by(
         return Course(survey, _two_letters(survey, of), link=of), None
     if travel.along is not None:
         return Course(survey, (of,), turn(travel.along)), None
+    for driven in (one.driven for one in survey.pairs):
+        slide, letters = driven.pair.slide, survey.mechanism.by_number[driven.link].points
+        if slide is not None and not driven.telescopes and of in letters:
+            return Course(survey, (of,), turn(slide.guide.angle)), None
     leg = sliding_leg(positions, of, frame, "load", "of")
     slider = slider_of(given, positions, leg, of)
     return course_of(survey, slider), slider
@@ -302,10 +320,12 @@ def end_of(scene: Scene, travel: Travel) -> str:
     """Return at which end a travel begins: "left", of a link "clockwise" (or so); "" in the zero position."""
     mechanism, zero = scene.mechanism, scene.row.zero
     assert mechanism is not None
-    tried = survey(mechanism, dissect(mechanism))
-    angle = (
-        try_extreme(tried, Wanted(zero)).angle if isinstance(zero, Extreme) else zero_of(scene.row)
-    )
+    structure = dissect(mechanism)
+    if isinstance(zero, Extreme):
+        angle = try_extreme(survey(mechanism, structure), Wanted(zero)).angle
+    else:
+        angle = zero_of(scene.row)
+    tried = survey(mechanism, structure, angle)
     course = _course_by(tried.given, tried.positions, tried, travel)[0]
     at = np.array([angle])
     if not travel.start and any(_comes(course, at, side, stands=True) for side in (1, -1)):

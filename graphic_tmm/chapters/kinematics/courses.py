@@ -99,21 +99,47 @@ class Course:
 
     @cached_property
     def ends(self) -> tuple[Tried, Tried] | None:
-        """Where it is least and greatest, by the drive; None if it does not turn back at both."""
+        """Where it is least and greatest, by the drive; None if it does not turn back at both.
+
+        Of a crank that does not turn round, between the dead places on both sides of the zero position: behind
+        them the mechanism may stand as well, but never comes there.
+        """
         if not self.survey.sweep.turns:
             return None
         row, reading, there = over_whole(self.survey, self.marks)
-        spots = [np.broadcast_to(reading[mark][0], there.shape) for mark in self.marks]
-        places = np.where(there, self._placed(spots), np.nan)
-        if not np.isfinite(places).any():
+        reached = _reached(self.survey, row[0], there)
+        if not reached.size:
             return None
+        spots = [np.broadcast_to(reading[mark][0], there.shape)[reached] for mark in self.marks]
+        places = self._placed(spots)
         span = np.nanmax(places) - np.nanmin(places)
         most = np.nanmax(np.abs(spots)) if self.link is None else WIDEST
         if span <= STILL * most or (self.link is not None and span > WIDEST):
             return None
         at = (int(np.nanargmin(places)), int(np.nanargmax(places)))
-        least, greatest = (turning_back(self.survey, self.speed, float(row[0, k])) for k in at)
+        least, greatest = (
+            turning_back(self.survey, self.speed, float(row[0, reached[k]])) for k in at
+        )
         return (least, greatest) if np.isfinite([least.angle, greatest.angle]).all() else None
+
+
+def _reached(survey: Survey, row: Reals, there: np.ndarray) -> np.ndarray:
+    """Return which places of a sweep the drive comes to from where it is zero, in order; or none.
+
+    ``there``: where all groups can be drawn.
+    """
+    count = row.size
+    far = [survey.sweep.apart(one, survey.zero) for one in row]
+    zero = int(np.argmin(np.where(there, far, np.inf)))
+    gone = np.flatnonzero(~there) - zero
+    if not gone.size:
+        return np.arange(count)
+    if survey.sweep.closed:
+        gone = np.concatenate([gone % count, gone % count - count])
+    before, behind = gone[gone <= 0], gone[gone >= 0]
+    low = before.max() + 1 if before.size else -zero
+    high = behind.min() if behind.size else count - zero
+    return np.arange(zero + low, zero + high) % count
 
 
 def draw_end(draft: Draft, positions: Positions, course: Course, which: int) -> tuple[Mark, ...]:
@@ -132,11 +158,11 @@ def draw_end(draft: Draft, positions: Positions, course: Course, which: int) -> 
         if (known := frame.marks[letter] if fixed else next(drawn, None)) is not None:
             found.append(known)
             continue
+        name = draft.board.free(f"{letter}{sign}")
         if angle is None:
-            angle = refined(
-                draft, survey.sweep, course.speed, _narrowed(course), tried, f"{letter}{sign}"
-            )
-        found.append(redrawn(draft, survey, mark, angle, (letter, f"{letter}{sign}", role)))
+            says = _narrowed(course)
+            angle = refined(draft, survey.sweep, course.speed, says, tried, name)
+        found.append(redrawn(draft, survey, mark, angle, (letter, name, role)))
     draft.open(view)
     return tuple(found)
 

@@ -87,7 +87,7 @@ def draw_dead_centres(
     for choice, sign in ((1, "′"), (-1, "″")):
         name = f"{slider.point}{sign}"
         role = f"dead centre {name}"
-        known = draft.board.construction().roles(VIEW, role)
+        known, name = draft.board.construction().roles(VIEW, role), draft.board.free(name)
         if known:
             drawn += known[:1]
         elif simple:
@@ -132,7 +132,9 @@ def _tried(
     draft: Draft, survey: Survey, slider: Slider, choice: int, named: tuple[str, str]
 ) -> Mark:
     extreme = extreme_at(survey, slider, choice)
-    angle = draw_refined(draft, survey, extreme, try_extreme(survey, Wanted(extreme)), named[0])
+    ends = course_of(survey, slider).ends
+    tried = try_extreme(survey, Wanted(extreme)) if ends is None else ends[choice > 0]
+    angle = draw_refined(draft, survey, extreme, tried, named[0])
     return redrawn(
         draft, survey, survey.positions.point(slider.point), angle, (slider.point, *named)
     )

@@ -192,6 +192,49 @@ def test_a_row_that_ends_before_its_end_has_the_stroke_of_the_mechanism(
         np.testing.assert_allclose(made.reading[mark][0], size, rtol=1e-8)
 
 
+def test_a_stroke_ends_where_the_crank_comes_to(tmp_path: Path) -> None:
+    """The shortest link is the coupler: its crank stands in two stretches of a turn, and leaves neither."""
+    of = FourBar(0.25, 0.1, 0.24, 0.2 + 0j, 0.37 - 0.33j, 1, 10.0)
+    angle, row = 17.0, 'from = "270 deg"\nto = "320 deg"'
+    load = f'[[load]]\nlink = 2\npoint = "E"\nof = "E"\nalong = "{angle} deg"\n{table("N")}'
+    made = drawn_of(read(written(tmp_path, of.text(load, row=row))), exact=True)
+    phi = np.radians(np.linspace(270.0, 320.0, 16))
+    every = of.travel(
+        np.radians(np.linspace(262.48, 325.98, GRID + 1)), angle
+    )  # but for 0.01° the whole stretch
+    share = (of.travel(phi, angle) - every.min()) / np.ptp(every)
+    going = _rate(lambda x: of.travel(x, angle), phi) > 0.0
+    wanted = np.where(going, np.interp(share, *OUT), np.interp(share, *BACK))
+    (mark,) = FORCES_PLAN.on(made).loads.given
+    np.testing.assert_allclose(made.reading[mark][0], wanted, rtol=1e-8)
+
+
+@each("second", ['of = "B"\nalong = 20', 'of = "B"\nalong = 80\nstart = "top"', "of = 3"])
+def test_loads_go_by_one_point_in_several_ways(second: str, tmp_path: Path) -> None:
+    """The end of each stroke has a letter of its own."""
+    of = four_bar(3)
+    keys = 'of = "B"\nalong = 0', second
+    text = "".join(f"[[load]]\nlink = 3\n{key}\n{table('N*m')}" for key in keys)
+    made = drawn_of(read(written(tmp_path, of.text(text))), exact=True)
+    both = [made.reading[mark][0] for mark in FORCES_PLAN.on(made).loads.given]
+    for key, size in zip(keys, both, strict=True):
+        alone = drawn_of(
+            read(written(tmp_path, of.text(f"[[load]]\nlink = 3\n{key}\n{table('N*m')}"))),
+            exact=True,
+        )
+        (mark,) = FORCES_PLAN.on(alone).loads.given
+        np.testing.assert_array_equal(size, alone.reading[mark][0])
+
+
+@each("to", ["330 deg", "720 deg", "-350 deg"])
+def test_no_swing_is_wider_than_a_protractor(to: str, tmp_path: Path) -> None:
+    of = replace(four_bar(3), omega=-40.0 if to.startswith("-") else 40.0)
+    row = f'from = "0 deg"\nto = "{to}"'
+    load = f"[[load]]\nlink = 1\nof = 1\n{table('N*m')}"
+    with pytest.raises(TmmError, match=r"link 1 turns by .* and a protractor reads 315° at most"):
+        drawn_of(read(written(tmp_path, of.text(load, row=row))))
+
+
 PUSHED = """title = "T"
 language = "en"
 [frame]
@@ -224,7 +267,7 @@ positions = "all"
 
 
 @each("way", [1, -1])
-@each("keys", ["of = 1", 'of = 1\nstart = "counterclockwise"', 'of = "B"\nalong = 0'])
+@each("keys", ["of = 1", 'of = 1\nstart = "counterclockwise"', 'of = "B"\nalong = 0', 'of = "B"'])
 def test_a_stroke_that_goes_one_way_is_that_of_its_row(way: int, keys: str, tmp_path: Path) -> None:
     """A slider drives a crank: neither turns back, so shares are of the row from one end to the other."""
     far = np.linspace(0.4, 0.6, 8)[::way]
