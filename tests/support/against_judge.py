@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections import defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -43,10 +43,12 @@ def errors(
     row: Sequence[float],
     plans: tuple[Any, ...] = PLANS,
     zero: float = 0.0,
+    loaded: Callable[[float, State], Judge] | None = None,
 ) -> dict[str, float]:
     """How far all that `motion` returns is off, of the largest of its kind; NaN counts as without end.
 
-    ``row``: the ways at which it is asked; ``zero``: that of the zero position.
+    ``row``: the ways at which it is asked; ``zero``: that of the zero position; ``loaded``: a judge of
+    the loads at a way, where they vary with more than the turn of the crank.
     """
     found = graphic_tmm.motion(
         graphic_tmm.read(scene), [parameter(drawn, way) for way in row], exact=True, plans=plans
@@ -75,7 +77,8 @@ def errors(
             off = _most(values[n][k] - turns[n] for n in values)
             note(kind, off, max(least, _most(turns.values())))
         if "forces" in plans and clear(drawn, state):
-            _forces(drawn, state, way - zero, found, k, note)
+            judge = loaded(way, state) if loaded is not None else drawn.judge
+            _forces(judge, state, way - zero, found, k, note)
     return dict(worst)
 
 
@@ -108,21 +111,21 @@ def _points(drawn: Random) -> list[tuple[int, str]]:
     return [(body.number, x) for body in drawn.judge.words.bodies for x in body.points]
 
 
-def _forces(drawn: Random, state: State, way: float, found: Any, k: int, note: Any) -> None:
+def _forces(judge: Judge, state: State, way: float, found: Any, k: int, note: Any) -> None:
     """Reactions and what each drive needs."""
-    turned = math.degrees(way) * math.copysign(1.0, drawn.judge.drives[0].rate)
-    due = statics(drawn.judge, state, turned)
+    turned = math.degrees(way) * math.copysign(1.0, judge.drives[0].rate)
+    due = statics(judge, state, turned)
     note("power", abs(due.power), 1.0)
-    names = reactions(drawn.judge, due, found.forces)
+    names = reactions(judge, due, found.forces)
     for name, values in found.forces.items():
         note("forces", abs(values[k] - names[name]), due.largest)
     first, *further = due.drives
     needs = {"forces": first, "lever": first}
-    for d, p in zip(drawn.judge.words.drives[1:], further, strict=True):
+    for d, p in zip(judge.words.drives[1:], further, strict=True):
         needs |= {str(d["link"]): p, f"{d['link']}_lever": p}
     assert {name[len("P_bal_") :] for name in found.balance} == set(needs)
     for name, values in found.balance.items():
-        arm = drawn.judge.size if name.startswith("M") else 1.0
+        arm = judge.size if name.startswith("M") else 1.0
         note("balance", abs(values[k] - needs[name[len("P_bal_") :]]), due.largest * arm)
 
 

@@ -77,8 +77,8 @@ class Random(NamedTuple):
             if step < least:
                 break
             try:
-                ahead = _ahead(state, sense * step)
-                near = self.judge.solve(self.coordinates(way + sense * step), ahead, exact=False)
+                poses = ahead(state, sense * step)
+                near = self.judge.solve(self.coordinates(way + sense * step), poses, exact=False)
             except UnsolvedError:
                 step /= 2
                 continue
@@ -322,7 +322,7 @@ def _walk(
             way = sense * k * step
             q = [x + ratio * way for x, ratio in zip(at, ratios, strict=True)]
             try:
-                near = judge.solve(q, _ahead(state, sense * step), exact=False)
+                near = judge.solve(q, ahead(state, sense * step), exact=False)
             except UnsolvedError:
                 dead = True
                 break
@@ -345,7 +345,7 @@ def _alike(judge: Judge, k: int, scale: float) -> float:
     return 1.0 if one == other else (1.0 / scale if one else scale)
 
 
-def _ahead(state: State, way: float) -> Poses:
+def ahead(state: State, way: float) -> Poses:
     """Poses a small way of the first drive on, along the velocities."""
     rate = state.judge.drives[0].rate
     return [

@@ -11,7 +11,7 @@ from typing import Any
 UNITS = {
     "m": 1.0, "mm": 1e-3, "m/s": 1.0, "mm/s": 1e-3, "m/s2": 1.0, "m/s^2": 1.0, "deg": 1.0,
     "rad/s": 1.0, "1/s": 1.0, "rad/s2": 1.0, "rad/s^2": 1.0, "rpm": math.pi / 30, "N": 1.0, "kN": 1e3,
-    "N*m": 1.0, "kg": 1.0, "t": 1e3, "kg*m^2": 1.0,
+    "N*m": 1.0, "s": 1.0, "kg": 1.0, "t": 1e3, "kg*m^2": 1.0,
 }  # fmt: skip
 
 
