@@ -12,8 +12,9 @@ _LONGEST = sorted({*gallery.ALL, *parts.PARTS}, key=len, reverse=True)
 _NAMED = re.compile(rf"(?:^|-)({'|'.join(map(re.escape, _LONGEST))})(?=-|$)")
 
 
-TOGETHER = ("tests/page/practice/",)
-"""Folders and files whose tests share what takes longer than they do: the tasks of all scenes, worked once."""
+TOGETHER = ("tests/page/practice/", "tests/judges/test_random_drive")
+"""Beginnings of names of files whose tests share what takes longer than they do: the tasks of all scenes worked
+once, random mechanisms walked once."""
 
 
 def group_of(test: str) -> str:

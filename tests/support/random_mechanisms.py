@@ -12,6 +12,7 @@ import cmath
 import math
 import random
 from collections.abc import Sequence
+from functools import cache
 from typing import Any, NamedTuple
 
 from support.free_bodies import Drive, Judge, Poses, State, UnsolvedError
@@ -248,10 +249,14 @@ def _drive(plane: Plane, body: Body, kind: str, *, first: bool) -> dict[str, Any
     return told
 
 
+@cache
 def drawn(
-    seed: int, drives: Sequence[str], groups: int, kinds: Sequence[str] = KINDS
+    seed: int, drives: tuple[str, ...], groups: int, kinds: tuple[str, ...] = KINDS
 ) -> Random | None:
-    """A random mechanism; None if it has next to no row before it comes to a dead place."""
+    """A random mechanism; None if it has next to no row before it comes to a dead place.
+
+    It is shared, for its walk takes long: change nothing of it.
+    """
     pick = random.Random(f"{seed} {drives} {groups}")
     plane = Plane(pick, pick.choice((0.02, 0.1, 0.1, 1.0, 5.0)))
     driving = []
