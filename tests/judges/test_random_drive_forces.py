@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 import pytest
@@ -51,6 +52,12 @@ def test_forces_along_a_row(kind: str) -> None:
             assert value == pytest.approx(balance, abs=1e-8 * due.largest * arm), (k, name)
 
 
+def tabled(scene: dict[str, Any]) -> graphic_tmm.Drawn:
+    """Draw a scene for its tables: on a sheet of positions alone no sizes of other plans are looked for."""
+    sheet = [{"format": "A1", "place": ["positions"]}]
+    return graphic_tmm.draw(graphic_tmm.read({**scene, "sheet": sheet}), exact=True)
+
+
 @pytest.mark.parametrize(
     "kind", ["open crank", *(pytest.param(k, marks=pytest.mark.slow) for k in ("slider", "rod"))]
 )
@@ -64,7 +71,7 @@ def test_what_stands(kind: str, seed: int) -> None:
     turns = [load for load in scene.get("load", ()) if "against" not in load.get("direction", "")]
     scene["load"] = [x for x in turns if "direction" in x or "moment" in x]
     judge, gained = Judge(scene), scene["drive"].get("acceleration")
-    table = graphic_tmm.draw(graphic_tmm.read(scene), exact=True).table("forces")
+    table = tabled(scene).table("forces")
     forward = found.judge.drives[0].rate > 0
     ends = found.walked[0][0], found.walked[-1][0]
     first, last = ends if forward else ends[::-1]
@@ -97,9 +104,7 @@ def test_rates_of_each_position(kind: str, seed: int) -> None:
     speeds = [f"{rate * (0.3 + 0.3 * k)!r} {unit}" for k in range(POSITIONS)]
     gains = [f"{0.1 * rate * (k - 2)!r} {unit}2" for k in range(POSITIONS)]
     motion = {"speed": speeds, "acceleration": gains, "accelerations": "all"}
-    sheet = graphic_tmm.draw(
-        graphic_tmm.read({**scene, "drive": {**scene["drive"], **motion}}), exact=True
-    )
+    sheet = tabled({**scene, "drive": {**scene["drive"], **motion}})
     tables = {name: sheet.table(name) for name in ("velocities", "accelerations", "forces")}
     ends = found.walked[0][0], found.walked[-1][0]
     first, last = ends if found.judge.drives[0].rate > 0 else ends[::-1]
