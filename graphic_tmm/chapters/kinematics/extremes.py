@@ -178,7 +178,7 @@ def _bracket(step: float, speed: Speed, best: float) -> tuple[float, float]:
     At the end of the crank's range the point stops for want of room, not because it stands still.
     """
     row = best + np.array([[-1.0, 0.0, 1.0]]) * step
-    value = speed(row)[0]
+    value = np.broadcast_to(speed(row), row.shape)[0]
     for low, high in ((0, 2), (0, 1), (1, 2)):
         if value[low] * value[high] <= 0.0:  # not so of NaN
             return float(row[0, low]), float(row[0, high])

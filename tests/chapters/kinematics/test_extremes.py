@@ -332,6 +332,7 @@ def test_an_extreme_within_a_part_of_a_turn_is_the_one_of_that_part() -> None:
     [
         (drives.BOOM, '{ point = "N", at = "right" }'),
         (drives.SLIDER, '{ point = "A", at = "top" }'),
+        (drives.SLIDER, '{ point = "B", at = "right" }'),
         (drives.LEVER, '{ point = "A", at = "top" }'),
     ],
 )
