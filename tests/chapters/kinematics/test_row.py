@@ -204,3 +204,44 @@ def test_positions_outside_the_row_are_lengths_of_what_slides(
         drives.scene(f"{text}extra = [{extra}]\n")
     assert "drive.extra" in str(caught.value)
     assert wanted in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("text", "ends", "place", "unit", "load", "name"),
+    [
+        (drives.BOOM, (600.0, 850.0), 705.0, "mm", (1, "C"), "2*"),
+        (drives.SLIDER, (250.0, 350.0), 311.0, "mm", (3, "A"), "3*"),
+        (drives.LEVER, (20.0, 75.0), 33.5, "deg", (3, "B"), "33.5°"),
+        (drives.RACK, (10.0, 120.0), 50.0, "mm", (3, "B"), "1*"),
+    ],
+)
+def test_a_position_outside_the_row_has_the_figures_of_one_in_a_list_of_places(
+    text: str,
+    ends: tuple[float, float],
+    place: float,
+    unit: str,
+    load: tuple[int, str],
+    name: str,
+) -> None:
+    text += drives.LOADS.format(link=load[0], point=load[1])
+    plans = f'accelerations = [0, "{name}"]' if name.endswith("*") else "accelerations = [0]"
+    outside = text.replace('accelerations = "all"', f'{plans}\nextra = ["{place} {unit}"]')
+    places = sorted([*np.linspace(*ends, 6).tolist(), place])
+    listed = ", ".join(f'"{one!r} {unit}"' for one in places)
+    low, high = (f"{one:g} {unit}" for one in ends)
+    within = text.replace(
+        f'from = "{low}"\nto = "{high}"\npositions = 6', f"positions = [{listed}]"
+    )
+    assert within != text
+    one, other = (tmm.draw(tmm.read(scene), exact=True) for scene in (outside, within))
+    compared = 0
+    for table in ("velocities", "accelerations", "forces"):
+        for column in other.table(table):
+            due = other.table(table)[column].value[0, places.index(place)]
+            found = one.table(table)[column].value[0, 6]
+            if table == "accelerations" and not name.endswith("*"):
+                assert np.isnan(found)
+                continue
+            compared += 1
+            assert found == pytest.approx(due, rel=1e-9, abs=1e-12), (table, column)
+    assert compared >= 14
