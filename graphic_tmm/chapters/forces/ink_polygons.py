@@ -120,9 +120,8 @@ class _Sides:
         for side in (*polygon.sides, *across, *rests):
             length = self.lengths.get(side[1:])
             yield side, 0.5, tuple(mark.slot for mark in (*side[1:], length) if mark is not None)
-        for (
-            rod
-        ) in self.rods:  # on a side that is there already its letter is of the step that read it
+        for rod in self.rods:
+            # on a side that is there already its letter comes with the step that reads it
             marks = (rod.tail, rod.head, *(() if rod.rest else (rod.length,)))
             yield rod.side, THIRD, tuple(mark.slot for mark in marks)
 
