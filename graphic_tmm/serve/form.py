@@ -53,13 +53,20 @@ class Field(NamedTuple):
 def blank(sort: Sort | None, declared: Key | None) -> Field:
     """Return a field in which nothing is written yet."""
     kind = sort if isinstance(sort, Kind) else None
-    form, choices = _form_of(kind) if kind is not None else ("other", ())
+    form, choices = "list" if _is_list(sort) else "other", tuple[str, ...]()
+    if kind is not None:
+        form, choices = _form_of(kind)
     made = Field((), "", "", "", False, False, form, _unit(kind) if kind else "", choices)
     if declared is None:
         return made
     wanted = declared.default is MISSING
     default = "" if wanted else default_text(declared) or ""
     return made._replace(default=default.strip('"'), says=declared.says, wanted=wanted)
+
+
+def _is_list(sort: object) -> bool:
+    """Tell whether values of a sort are a list that is written as a whole: plain values, tables among them."""
+    return isinstance(sort, Several) and isinstance(sort.each, ByShape)
 
 
 def _form_of(kind: Kind) -> tuple[str, tuple[str, ...]]:
@@ -190,7 +197,7 @@ class _Written(NamedTuple):
                 yield from self.sort(one.kind, there[name], (*at, name), above, one)
                 continue
             sort = one.kind.other if isinstance(one.kind, ByShape) else one.kind
-            if isinstance(sort, Kind):
+            if isinstance(sort, Kind) or _is_list(sort):
                 yield self.left_out(replace(one, kind=sort), (*at, name), above)
         others: Sort | None = getattr(record, "OTHERS", None)
         if others is not None:
@@ -204,7 +211,7 @@ class _Written(NamedTuple):
             sort = sort.such if isinstance(value, sort.shape) else sort.other
         if isinstance(sort, DeclaredTable) and isinstance(value, dict):
             yield from self.table(sort.record, value, at, above)
-        elif isinstance(sort, (Named, Several)):
+        elif isinstance(sort, (Named, Several)) and not _is_list(sort):
             yield from self.several(sort, value, at, above)
         elif _is_point(sort, value):
             assert isinstance(value, list)

@@ -20,12 +20,16 @@ from support.examples import most
 
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.grammar import OPERATIONS, Operation
-from graphic_tmm.board.operations import instruments
+from graphic_tmm.board.operations import instruments, outside
 from graphic_tmm.board.operations.supports import swung
 from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Side
 
 DIGITS = 50
-BASIC_OPERATIONS = [op for op in OPERATIONS.values() if op.run.__module__ == instruments.__name__]
+BASIC_OPERATIONS = [
+    op
+    for op in OPERATIONS.values()
+    if op.run.__module__ in (instruments.__name__, outside.__name__)
+]
 BASIC_OPERATIONS.append(swung)
 Bounded = tuple[Any, Any] | None
 """The true value and how far a float may be from it, part by part; None where there is none."""
@@ -246,6 +250,7 @@ REFERENCES: dict[str, Callable[..., Bounded]] = {
     "bearing": _bearing,
     "swung": _swung,
     "stand": lambda regular, extreme, at: (extreme if at > 0 else regular, 0),
+    "stand_out": lambda regular, extreme, at: (extreme if at > 0 else regular, 0),
 }
 
 
@@ -307,7 +312,7 @@ def test_a_mark_that_is_not_there_leaves_none(op: Operation) -> None:
     with np.errstate(all="ignore"):
         before = op.run(*args, **choice)
         for k, kind in enumerate(op.takes):
-            if op.name == "stand":
+            if op.name in ("stand", "stand_out"):
                 continue  # takes one of two: the other need not be there
             hurt = list(args)
             whole = args[k] if isinstance(args[k], tuple) else (args[k],)

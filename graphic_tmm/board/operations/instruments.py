@@ -22,7 +22,7 @@ from graphic_tmm.board.geometry import (
     wedge,
 )
 from graphic_tmm.board.grammar import ANGLE, FREE, JOIN, RAY, READ, SLIDE, Gap, operation
-from graphic_tmm.board.values import Angle, Arc, Length, Line, Number, Point, Reals, Side
+from graphic_tmm.board.values import Angle, Arc, Length, Line, Point, Reals, Side
 from graphic_tmm.language.said import said
 
 _NO_LINE = "the two points coincide"
@@ -387,25 +387,3 @@ def measure_along(start: Point, end: Point, on: Line) -> Length:
 def bearing(start: Point, end: Point) -> Angle:
     """Find the angle of {start}{end} from the x axis."""
     return Angle(degrees(end - start))
-
-
-@operation(
-    kept=True,
-    why=said(
-        "A position outside the row is drawn as those of the row are, only at an angle of its own."
-    ),
-)
-def stand(regular: Angle, extreme: Angle, at: Number) -> Angle:
-    """At the position outside the row the crank's angle {it} is {extreme}, at those of the row {regular}."""
-    return Angle(np.where(at > 0, extreme, regular))
-
-
-@operation(
-    kept=True,
-    why=said(
-        "A position outside the row is drawn as those of the row are, only at a length of its own."
-    ),
-)
-def stand_out(regular: Number, extreme: Number, at: Number) -> Number:
-    """At the position outside the row {it} is {extreme}, at those of the row {regular}."""
-    return Number(np.where(at > 0, extreme, regular))

@@ -11,7 +11,7 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.formulas import advance, run_out
-from graphic_tmm.board.operations.instruments import stand, stand_out
+from graphic_tmm.board.operations.outside import stand, stand_out
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.kinematics import words as why

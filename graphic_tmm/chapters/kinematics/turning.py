@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.board import roles
-from graphic_tmm.board.operations.instruments import stand, stand_out
+from graphic_tmm.board.operations.outside import stand, stand_out
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_numbers import Letters
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
