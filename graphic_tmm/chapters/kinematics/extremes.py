@@ -58,6 +58,12 @@ class Wanted(NamedTuple):
     key: str = "zero"
     ends: tuple[float, float] | None = None
 
+    @property
+    def remedy(self) -> Said:
+        """What to write in place of a position that is not there."""
+        zero = self.key == "zero"
+        return said("give zero as an angle") if zero else said("leave this position out")
+
 
 def draw_extreme(draft: Draft, survey: Survey, frame: Body, wanted: Wanted, tag: str) -> Mark:
     """Record how the drive's coordinate at an extreme position is found; return its mark (degrees or m).
@@ -102,22 +108,22 @@ def try_extreme(survey: Survey, wanted: Wanted) -> Tried:
     row, reading, there = over_whole(survey, [mark], wanted.ends)
     place = reading[mark][0].real if name == "x" else reading[mark][0].imag
     place = np.where(there, place, np.nan)
-    tried = Tried(np.nan, np.nan, np.nan)
     if not np.isfinite(place).any():
         says = said("{point} cannot be drawn at any crank angle", point=point)
     elif np.nanmax(place) - np.nanmin(place) <= STILL * np.nanmax(np.abs(reading[mark])):
         says = said(
-            "{point} moves neither {ways}: name another point, or give zero as an angle",
+            "{point} moves neither {ways}: name another point, or {remedy}",
             point=point,
             ways=said("left nor right") if name == "x" else said("up nor down"),
+            remedy=wanted.remedy,
         )
     else:
         best = float(row[0, int(np.nanargmax(way * place))])
         tried = turning_back(survey, Velocity(survey, axis), best, wanted.ends)
+        if np.isfinite(tried.angle):
+            return tried
         says = _has_none(survey, wanted, best, whole=bool(np.isfinite(place).all()))
-    if not np.isfinite(tried.angle):
-        raise StructureError(says, f"drive.{wanted.key}", head=wanted.key)
-    return tried
+    raise StructureError(says, f"drive.{wanted.key}", head=wanted.key)
 
 
 def _has_none(survey: Survey, wanted: Wanted, best: float, *, whole: bool) -> Said:
@@ -126,24 +132,27 @@ def _has_none(survey: Survey, wanted: Wanted, best: float, *, whole: bool) -> Sa
     if wanted.ends is not None:
         return said(
             "{point} does not turn back at {at} between the ends of the row, it goes on there: name another "
-            "point or side, or leave this position out",
+            "point or side, or {remedy}",
             point=point,
             at=at,
+            remedy=wanted.remedy,
         )
     if whole:
         return said(
             "{point} has no extreme position at {at} (near the crank angle {angle:.4g}° it does "
-            "not stand still): give zero as an angle",
+            "not stand still): {remedy}",
             point=point,
             at=at,
             angle=best,
+            remedy=wanted.remedy,
         )
     return said(
         "{point} does not come to an extreme position at {at}, for the crank does not turn "
-        "round: {says}; change the lengths, or give zero as an angle there",
+        "round: {says}; change the lengths, or {remedy}",
         point=point,
         at=at,
         says=check_assembly(survey).said,
+        remedy=wanted.remedy,
     )
 
 
