@@ -55,14 +55,15 @@ def shaken(
     """
     across = any(step.op.across for step in steps)
     size = positions if across else BLOCK
-    blocks = []
+    blocks, counts = [], []
     with np.errstate(all="ignore"):
         for start in range(0, positions, size):
             part = slice(start, min(start + size, positions))
             blocks.append(_block(steps, {m: part_of(v, part) for m, v in given.items()}, ruler))
+            counts.append(part.stop - start)
     if len(blocks) == 1:
         return blocks[0]
-    return Shaken(*(_joined(parts) for parts in zip(*blocks, strict=True)))
+    return Shaken(*(_joined(parts, counts) for parts in zip(*blocks, strict=True)))
 
 
 def _block(steps: Sequence[Step], given: Mapping[Mark, Any], ruler: float | None) -> Shaken:
@@ -104,16 +105,19 @@ def _with_error(step: Step, value: Any, shakes: Reals, ruler: float | None) -> A
     return value + shakes[0] / SHAKE * (ruler / 2.0) if step.op.reads else value
 
 
-def _joined(parts: Sequence[dict[int, Any]]) -> dict[int, Any]:
-    """Join what was found by blocks; what does not vary along the first block varies nowhere."""
-    return {slot: _row([part[slot] for part in parts]) for slot in parts[0]}
+def _joined(parts: Sequence[dict[int, Any]], counts: Sequence[int]) -> dict[int, Any]:
+    """Join what was found by blocks of so many positions."""
+    return {slot: _row([part[slot] for part in parts], counts) for slot in parts[0]}
 
 
-def _row(parts: Sequence[Any]) -> Any:
+def _row(parts: Sequence[Any], counts: Sequence[int]) -> Any:
+    """Join a value; a bound may vary along some blocks alone, where what it was drawn from touches."""
     first = parts[0]
     if isinstance(first, tuple):
-        return type(first)(*(_row(arrays) for arrays in zip(*parts, strict=True)))
-    return first if first.shape[1] == 1 else np.concatenate(parts, axis=1)
+        return type(first)(*(_row(arrays, counts) for arrays in zip(*parts, strict=True)))
+    if all(part.shape[1] == 1 for part in parts):
+        return first
+    return np.concatenate([spread(part, n) for part, n in zip(parts, counts, strict=True)], axis=1)
 
 
 def _shakes(count: int) -> Reals:

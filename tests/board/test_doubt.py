@@ -12,11 +12,20 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import product, rate
 from graphic_tmm.board.operations.graphs import erect
-from graphic_tmm.board.operations.instruments import join, lay_off, measure, meet, ray
+from graphic_tmm.board.operations.instruments import (
+    cut,
+    join,
+    lay_off,
+    measure,
+    meet,
+    parallel,
+    ray,
+    strike,
+)
 from graphic_tmm.board.operations.statics import difference_of
 from graphic_tmm.board.record import Board, Mark
 from graphic_tmm.board.shaking import SHAKE
-from graphic_tmm.board.values import Angle, Curve, Length, Number, Point
+from graphic_tmm.board.values import Angle, Curve, Length, Number, Point, Side
 
 
 class Bench:
@@ -167,3 +176,28 @@ def test_a_figure_read_off_a_curve_that_is_given_is_doubted_as_others_are() -> N
     end = bench.board.draw(erect, "e", curve, foot)
     found = bench.figure(bench.board.draw(measure, "xe", foot, end))
     np.testing.assert_allclose(found, 0.1 * np.array([0.5, 1.5, 2.5]) ** 2, rtol=1e-9)
+
+
+@pytest.mark.parametrize("touching", [slice(0, 5), slice(1500, 1505)])
+def test_bounds_of_many_positions_are_those_of_each(touching: slice) -> None:
+    """A line of one direction, through points of which some touch: also where few of its row do."""
+    radii = np.full(3000, 2.0)
+    radii[touching] = 1.0
+
+    def bounds(radii: np.ndarray) -> np.ndarray:
+        bench = Bench()
+        line = bench.board.draw(
+            ray, "m", bench.take(Point, "Q", -3 + 1j), bench.take(Angle, "α", 0.0)
+        )
+        arc = bench.board.draw(
+            strike, "c", bench.take(Point, "O", 0j), bench.take(Length, "r", radii)
+        )
+        point = bench.board.draw(cut, "B", line, arc, bench.take(Side, "s", 1))
+        bench.board.open("velocities")
+        at = bench.board.draw(parallel, "n", point, line)
+        log = bench.board.construction()
+        found = Doubts(log.steps, bench.given).bound(at)
+        return np.broadcast_to(found, (1, radii.size))[0]
+
+    found = bounds(radii)
+    assert found[touching].tolist() == bounds(radii[touching]).tolist()

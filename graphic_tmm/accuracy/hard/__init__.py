@@ -1,1 +1,1 @@
-"""Hard places of a turn, and how many digits of each result are left near them."""
+"""Hard places of a drive, and how many digits of each result are left near them."""

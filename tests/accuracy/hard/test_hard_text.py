@@ -7,13 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support import gallery
+from judges.test_random_drives import WAYS, random_of
+from support import drives, gallery
 from support.digits_left import scene_of
 from support.hard_mechanisms import four_bar, slider_crank, weighed
 
+import graphic_tmm
 from graphic_tmm.accuracy.hard.hard_text import hard_json, hard_text
-from graphic_tmm.accuracy.hard.walk import OFFS, Walk, walk
+from graphic_tmm.accuracy.hard.walk import Walk, walk
 from graphic_tmm.mechanism.records import Mechanism
+
+EVEN = "\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}"
 
 
 def _walk(mechanism: Mechanism, language: str = "en") -> Walk:
@@ -69,15 +73,46 @@ def test_what_is_left_out_is_named_with_its_reason() -> None:
     assert "180°\N{NO-BREAK SPACE}±" in lost
 
 
+def test_lengths_are_told_in_mm_and_written_in_m() -> None:
+    found = walk(drives.scene(drives.BOOM))
+    text, held = hard_text(found), json.loads(hard_json(found))
+    assert "φ" not in text
+    assert "°" not in text
+    assert (
+        "l_GN = 100 mm: the range of the drive ends".replace(" = ", EVEN).replace(
+            "100 mm", "100\N{NO-BREAK SPACE}mm"
+        )
+        in text
+    )
+    (strip,) = (line for line in text.splitlines() if line.startswith("r  "))
+    cells = strip[6:]
+    low, cell = found.span.low, found.span.cell
+    for k, sign in enumerate(cells):
+        begins = low + k * cell
+        assert (sign == "×") == (begins <= 100.0 or begins >= 900.0), begins
+    assert [one["length_m"] for one in held["places"]] == pytest.approx([0.1, 0.9])
+    assert held["lengths_m"] == (1e-3 * found.row).tolist()
+    assert held["places"][0]["off_m"] == [*(1e-3 * off for off in found.span.offs), 0.0]
+    assert "angles_deg" not in held
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", WAYS)
+def test_walks_of_random_drives_keep_within_80_columns(kind: str) -> None:
+    for seed in range(1, 9):
+        found = walk(graphic_tmm.read(random_of(kind, seed, forces=True)[1]))
+        assert max(map(len, hard_text(found).splitlines())) <= 80
+
+
 def test_json_holds_every_digit() -> None:
     found = _walk(PARALLEL)
     told = json.loads(hard_json(found))
-    assert told["angles_deg"] == found.angles.tolist()
+    assert told["angles_deg"] == found.row.tolist()
     for one, row, missing in zip(told["results"], found.digits, found.missing, strict=True):
         assert [d is None for d in one["digits"]] == np.isnan(row).tolist()
         assert one["cannot_be_drawn"] == np.flatnonzero(missing).tolist()
     place = told["places"][0]
-    assert place["off_deg"] == [*OFFS, 0.0]
+    assert place["off_deg"] == [*found.span.offs, 0.0]
     assert place["worst"][0] is not None
     assert place["worst"][-1] is None
     assert place["best"][-1] is not None
