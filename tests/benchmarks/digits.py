@@ -1,6 +1,6 @@
 """Digits said to be left and those that are, beside hard places: judged by the same log run at 50 digits.
 
-python tests/benchmarks/digits.py       # half a minute
+python tests/benchmarks/digits.py       # two minutes
 """
 
 from __future__ import annotations
@@ -15,16 +15,20 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).parent.parent))
 
 from hard.test_hard_change_points import CASES
+from judges.test_random_drives import WAYS, random_of
 from support import gallery
 from support.digits_left import Judged, judged, scene_of
 from support.hard_mechanisms import weighed
 from support.loaded import weighed as loaded
 from support.mechanisms import sample
 
+from graphic_tmm import read
 from graphic_tmm.accuracy.hard.walk import walk
 from graphic_tmm.scene.records import Scene
 
 RANDOM, SEED = 100, 5000
+DRIVEN = 8
+"""Mechanisms of each kind of drives: slider, rod, open crank and two of them."""
 SCENES = (
     *("windrower", "lever", "offset-slider", "toggle-press", "scotch-yoke", "shaper", "engine"),
     *("locomobile", "crank-press", "tangent-mechanism", "oscillating-cylinder", "crank-rocker"),
@@ -37,6 +41,8 @@ def _groups() -> Iterator[tuple[str, list[Scene], int]]:
     yield "change points, slotted levers", linkages, 1
     drawn = enumerate(sample(RANDOM, seed=SEED, dyads=(1, 3)))
     yield "random, up to their locks", [scene_of(loaded(one, k), one.phi) for k, one in drawn], 5
+    seeds = [(kind, seed) for kind in WAYS for seed in range(1, DRIVEN + 1)]
+    yield "random drives", [read(random_of(*one, forces=True)[1]) for one in seeds], 5
 
 
 def _line(name: str, found: list[Judged], seconds: float) -> str:
