@@ -152,10 +152,18 @@ class Row:
         return complex(unit(along))
 
     def _first_end(self, load: Mapping[str, Any], low: float, high: float) -> float:
-        """Where a stroke begins that says nothing: behind, clockwise; of a slider away from the crank."""
+        """Where a stroke begins that says nothing: behind, clockwise; of a slider away from the crank.
+
+        Off the crank is where its rod does not come from, if it has one.
+        """
         if isinstance(load["of"], int) or "along" in load:
             return low
         judge = self.found.judge
+        bodies = judge.words.bodies
+        owners = (bodies[k] for k in judge.words.standing[load["of"]])
+        sides = [s.get("side") for body in owners for s in body.slides if s["on"] == "frame"]
+        if side := next(filter(None, sides), ""):
+            return high if side == "+" else low
         way = self.way(load)
         state = self.states[0][1]
         r, _, _ = state.point(load["of"], self._number(load["of"]))
@@ -274,9 +282,7 @@ def sized(row: Row, judge: Judge, way: float, state: State) -> Judge:
 def _constant(row: Row, load: Mapping[str, Any], way: float, state: State) -> Mapping[str, Any]:
     """A load as one of constant size."""
     rate = abs(row.found.judge.drives[0].rate)
-    # a sheet counts the zero position of a turn from 0 to 360°, and two turns from there on
-    first = row.found.at[0] % (2 * math.pi) - row.found.at[0] if row.whole else row.first
-    passed = (way - first) * math.copysign(1.0, row.found.judge.drives[0].rate)
+    passed = (way - row.first) * math.copysign(1.0, row.found.judge.drives[0].rate)
     if "of" in load:
         stroke = row.stroke(load)
         assert stroke is not None

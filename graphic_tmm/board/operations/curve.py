@@ -17,6 +17,8 @@ from graphic_tmm.language.said import said
 
 HALVINGS = 40
 """How often the part of an arc is halved in which a place of it is sought: to 1e-12 of the arc."""
+WHOLE = 1e-9
+"""A number nearer to a whole one is that of a knot: it is worked out from the turn of the crank."""
 TAUT = 0.0
 """Of a curve that does not bulge: the share of the row's bend that its tangents may take; see `bounded`."""
 
@@ -207,7 +209,8 @@ def stationary(p: Complexes, m: Complexes, turned: complex | Complexes) -> list[
 def over(curve: Curve, numbers: Reals, feet: Reals) -> Reals:
     """Return the heights, mm, of a closed curve over feet, each on the arc that its number tells.
 
-    A foot beyond both ends of its arc (the piston turns between two positions) has the nearer end's height.
+    A foot beyond both ends of its arc (the piston turns between two positions) has the nearer end's height, and
+    a whole number that of its knot: where the curve is upright a foot tells half of the digits.
     """
     count = curve.knots.shape[1]
     first = np.floor(numbers).astype(int) % count
@@ -220,7 +223,9 @@ def over(curve: Curve, numbers: Reals, feet: Reals) -> Reals:
         u = (low + high) / 2.0
         before = (_between(p.real, q.real, m.real, n.real, u) - feet) * rises < 0.0
         low, high = np.where(before, u, low), np.where(before, high, u)
-    return _between(p.imag, q.imag, m.imag, n.imag, (low + high) / 2.0)
+    knot = np.round(numbers)
+    u = np.where(np.abs(numbers - knot) <= WHOLE, knot - np.floor(numbers), (low + high) / 2.0)
+    return _between(p.imag, q.imag, m.imag, n.imag, u)
 
 
 def _between(p: Reals, q: Reals, m: Reals, n: Reals, u: Reals) -> Reals:

@@ -231,7 +231,7 @@ def _course_by(
         if slide is not None and not driven.telescopes and of in letters:
             return Course(survey, (of,), turn(slide.guide.angle)), None
     leg = sliding_leg(positions, of, frame, "load", "of")
-    slider = slider_of(given, positions, leg, of)
+    slider = slider_of(survey, given, positions, leg, of)
     return course_of(survey, slider), slider
 
 

@@ -314,7 +314,7 @@ def draw_cylinder(draft: Draft, machine: Machine, order: IndicatorTask, tag: str
         return _swinging(draft, machine, swings, order, tag)
     frame, point = machine.mechanism.frame.number, machine.positions.point(order.point)
     leg = sliding_leg(machine.positions, order.point, frame, INDICATOR)
-    slider = slider_of(draft.given, machine.positions, leg, order.point)
+    slider = slider_of(machine.survey, draft.given, machine.positions, leg, order.point)
     begun = _begun(draft, machine, slider, order)
     length = None
     if begun is None:

@@ -21,6 +21,7 @@ from graphic_tmm.chapters.kinematics.courses import Course, redrawn
 from graphic_tmm.chapters.kinematics.extremes import (
     Wanted,
     draw_refined,
+    over_whole,
     slider_end,
     try_extreme,
 )
@@ -50,13 +51,28 @@ class DeadCentres(NamedTuple):
 
 
 def slider_of(
-    given: Mapping[Mark, object], positions: Positions, leg: GuideLeg, letter: str
+    survey: Survey, given: Mapping[Mark, object], positions: Positions, leg: GuideLeg, letter: str
 ) -> Slider:
-    """Return a slider by its leg and the letter of its point; ``given``: what is given on its board."""
+    """Return a slider by its leg and the letter of its point; ``given``: what is given on its board.
+
+    Off the crank is where its rod does not come from; of one without a rod, the end that is farther from it.
+    """
     closing = next(c for c in positions.closings if leg in c.legs)
     side = positions.sides.get(closing.group.name)
-    outward = 1.0 if side is None else float(np.ravel(np.asarray(given[side]))[0])
-    return Slider(leg, letter, outward)
+    if side is not None:
+        return Slider(leg, letter, float(np.ravel(np.asarray(given[side]))[0]))
+    slider = Slider(leg, letter, 1.0)
+    return slider if _farther(survey, slider) else slider._replace(outward=-1.0)
+
+
+def _farther(survey: Survey, slider: Slider) -> bool:
+    """Whether a slider's place farthest along its guide is as far from the crank's pivot as the other end."""
+    frame = survey.positions.bodies[survey.mechanism.frame.number]
+    pivot, point = frame.marks[survey.structure.origin], survey.positions.point(slider.point)
+    _, reading, there = over_whole(survey, [pivot, point])
+    off = (reading[point] - reading[pivot]) * np.conj(_direction(survey, slider))
+    row = np.broadcast_to(off.real[0], there.shape)[there]
+    return bool(np.isnan(row).all() or np.nanmax(row) + np.nanmin(row) >= 0.0)
 
 
 def draw_dead_centres(

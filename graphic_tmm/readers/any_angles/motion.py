@@ -77,8 +77,10 @@ class Recorded:
     def known(self, angles: Reals) -> dict[Mark, Any]:
         """Return what is given at coordinates of the drive (degrees or m; (1, angle)), and nowhere else."""
         project = self.sheet.project
-        row, zero = self.sheet.scene.row, project.coordinates[0]
+        row = self.sheet.scene.row
         first = row.ends or row.places
+        # as the scene says it, and not from 0 to 360°: over two turns −100° is none of 260°
+        zero = row.zero if isinstance(row.zero, float) else project.coordinates[0]
         turned = angles[0] - float((first[0] if first else zero) or 0.0)
         found: dict[Mark, Any] = {}
 

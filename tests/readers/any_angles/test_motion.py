@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.driven_scenes import ROCKER, scene
 from support.gallery import SHEETS
 from support.linkages import four_bar
 
@@ -291,3 +292,19 @@ def test_a_log_is_compiled_at_any_number_of_angles_if_nobody_says(
     assert ways.ran == 2 * [due]
     largest = float(np.abs(plain["B"].acceleration).max())
     assert np.abs(found["B"].acceleration - plain["B"].acceleration).max() <= 1e-12 * largest
+
+
+@pytest.mark.parametrize("zero", [-100.0, 30.0, 250.0])
+def test_a_load_over_two_turns_begins_at_the_zero_position_as_the_scene_says_it(
+    zero: float,
+) -> None:
+    """A turn later the crank stands where it stood, and the load is another."""
+    drive = f'speed = "10 rad/s"\npositions = 8\nzero = "{zero} deg"\n'
+    load = '[[load]]\nlink = 1\nby_angle = [[0, "1 N*m"], [720, "721 N*m"]]\n'
+    forces = '[forces]\npositions = [1]\nbalance = "moment"\n'
+    turned = np.array([10.0, 200.0, 370.0, 560.0, 730.0])
+    found = graphic_tmm.motion(
+        scene(ROCKER, drive + load + forces), zero + turned, plans=("forces",)
+    )
+    due = -(1.0 + turned % 720.0)
+    np.testing.assert_allclose(found.balance["M_bal_forces"], due, rtol=1e-9)
