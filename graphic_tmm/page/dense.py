@@ -27,7 +27,7 @@ from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.units import unit
 from graphic_tmm.mechanism.records import TURN, Sweep
 from graphic_tmm.project import Project
-from graphic_tmm.readers.any_angles.turn import Turn, Turning, open_row
+from graphic_tmm.readers.any_angles.turn import Turn, Turning, in_row, open_row
 from graphic_tmm.readers.findings import reason
 
 WHOLE = 360.0
@@ -177,9 +177,11 @@ def _along(drawn: Drawn, row: Reals, steps: Reals) -> _Frames:
     first, last = sorted((float(own.min()), float(own.max())), reverse=bool(own[-1] < own[0]))
     per = (last - first) / (FRAMES - 1)
     zero = float(drawn.project.coordinates[0] or 0.0)
-    extra = [float(one or 0.0) - zero for one in drawn.project.coordinates[steps.size :]]
-    frames, at = _placed([(one - first) / per for one in (*own.tolist(), *extra)], FRAMES)
     span = math.copysign(float(steps[-1]), float(own[-1]))
+    extra = np.array([float(one or 0.0) - zero for one in drawn.project.coordinates[steps.size :]])
+    if (drawn.project.sweep or TURN).turns:
+        extra = in_row(extra, span)
+    frames, at = _placed([(one - first) / per for one in (*own, *extra)], FRAMES)
     return _Frames(first + per * frames, frames, span, FRAMES, per, at)
 
 

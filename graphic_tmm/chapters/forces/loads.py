@@ -136,7 +136,7 @@ class Ground(NamedTuple):
     ``quarters``: right angles by which a vector of the velocity plan is turned into its true direction.
     ``survey``: the mechanism at any angles. ``numbers``: where each position stands in the row, which has so
     many ``turns`` of so many ``intervals``; ``steps``: of one that does not close, how far each position
-    is from the first.
+    is from the first as it goes.
     """
 
     draft: Draft

@@ -17,7 +17,7 @@ def _needs(scene: Scene) -> dict[str, object]:
         needs[ACCELERATIONS] = True
     if order is not None and order.gas is not None:
         needs[INDICATOR] = Wish(1, FORCES, order.gas)
-    if order is not None and order.turns > 1:
+    if order is not None and order.turns > 1 and not scene.row.open:
         needs[TURNS] = order.turns
     return needs
 

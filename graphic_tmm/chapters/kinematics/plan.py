@@ -62,8 +62,8 @@ class KinematicPlans:
     ``numbers``: where each position stands in the row, in intervals of it; ``count`` of the positions make the
     row, over so many ``turns``; ``rows``: what tables are asked to tell besides; ``closed``: whether the
     row comes back to where it began, ``ends``: where one that does not begins and ends,
-    ``steps``: how far each of its positions is from the first (° or m). ``by_drive``: velocities as each drive
-    causes them, where that is asked for, ``summed``: of each point.
+    ``steps``: how far each position is from the first as that row goes, before it less than 0 (° or m).
+    ``by_drive``: velocities as each drive causes them, where that is asked for, ``summed``: of each point.
     """
 
     mechanism: Mechanism
@@ -237,7 +237,7 @@ def record(bench: Bench) -> KinematicPlans:
         further,
         closes,
         (float(values.min()), float(values.max())) if row.open else None,
-        None if closes else np.abs(values[0] - values[0, 0]),
+        None if closes else (values[0] - values[0, 0]) * _sense(values[0, : row.count]),
         by_drive,
         summed,
     )
@@ -246,6 +246,11 @@ def record(bench: Bench) -> KinematicPlans:
     of_first_turn = [k for k in range(len(bench.names)) if k not in later]
     bench.best = partial(best, tried, np.ravel(values), accelerated, of_first_turn)
     return made
+
+
+def _sense(values: np.ndarray) -> float:
+    """Return which way the coordinates of a row go: 1 or −1."""
+    return float(np.copysign(1.0, values[-1] - values[0]))
 
 
 def _over(row: Row, turns: int) -> Row:

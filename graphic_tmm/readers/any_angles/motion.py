@@ -34,6 +34,7 @@ from graphic_tmm.readers.any_angles.turn import (
     Turn,
     Turning,
     TurnQuantity,
+    in_row,
     open_row,
 )
 from graphic_tmm.scene.chapter import MECHANISM, chapters
@@ -82,6 +83,9 @@ class Recorded:
         # as the scene says it, and not from 0 to 360°: over two turns −100° is none of 260°
         zero = row.zero if isinstance(row.zero, float) else project.coordinates[0]
         turned = angles[0] - float((first[0] if first else zero) or 0.0)
+        mechanism = self.sheet.scene.mechanism
+        if self.row is not None and self.sweep.turns and mechanism and not mechanism.further:
+            turned = in_row(turned, self.whole)
         found: dict[Mark, Any] = {}
 
         def read(marks: Iterable[Mark]) -> Reading:
@@ -152,7 +156,7 @@ def _recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
     row = np.asarray(given[by], dtype=float)[0]
     steps = open_row(scene, row)
     if steps is not None:
-        whole = math.copysign(float(steps[-1]), float(row[-1]))
+        whole = math.copysign(float(steps[-1]), float(row[steps.size - 1]))
     else:
         whole = float(round(float(row[1]) * project.count)) if project.count > 1 else WHOLE
     told = chain.from_iterable(Turning.of(chapter).told(project) for chapter in project.chapters)

@@ -17,6 +17,8 @@ from graphic_tmm.project import Project
 from graphic_tmm.scene.chapter import Answer
 from graphic_tmm.scene.records import Scene
 
+ENDS = 1e-9
+"""A place so near the end of a row is there, °."""
 Between = Mapping[Mark, object]
 """Values of marks at the angles of a turn."""
 
@@ -65,6 +67,16 @@ def open_row(scene: Scene, steps: Reals) -> Reals | None:
     if row.ends is None and not row.places and not slides:
         return None
     return np.abs(steps[: row.count])
+
+
+def in_row(turned: Reals, way: float) -> Reals:
+    """Return how far a crank has turned from the first position of an open row that goes a ``way`` (°, signed).
+
+    An angle outside the row is the same angle nearest to its middle: of a row from 350° to 375°, 15° is inside.
+    """
+    off = turned - way / 2.0
+    inside = np.abs(off) <= abs(way / 2.0) + ENDS
+    return np.where(inside, turned, (off + 180.0) % 360.0 - 180.0 + way / 2.0)
 
 
 Plan = Literal["positions", "velocities", "accelerations", "forces"]
