@@ -48,6 +48,7 @@ def scene(parts: Parts, source: str) -> Scene:
     mechanism = _mechanism(parts, frame, links, drive) if frame and drive else None
     sheets = parts.record("sheet") or [SheetOrder(place=())]
     formats = [sheet.format for sheet in sheets]
+    row = _row(drive) if drive else Row()
     rest = registry.without(usual, [place for sheet in sheets for place in sheet.place])
     shown = registry.attended([sheet.place or rest for sheet in sheets], formats, asked)
     return Scene(
@@ -55,8 +56,8 @@ def scene(parts: Parts, source: str) -> Scene:
         title=head.title,
         language=tagged(head.language, head.units),
         mechanism=mechanism,
-        row=_row(drive) if drive else Row(),
-        tasks=_tasks(parts, mechanism),
+        row=row,
+        tasks=_tasks(parts, mechanism, row),
         scales=parts.record("scales"),
         sheets=tuple(replace(one, place=own) for one, own in zip(sheets, shown, strict=True)),
         title_block={k: text for k, text in vars(block).items() if text and isinstance(text, str)},
@@ -68,9 +69,9 @@ def scene(parts: Parts, source: str) -> Scene:
     )
 
 
-def _tasks(parts: Parts, mechanism: Mechanism | None) -> dict[str, object]:
+def _tasks(parts: Parts, mechanism: Mechanism | None, row: Row) -> dict[str, object]:
     """Return what the chapters are asked, by section."""
-    built = _Built(parts, mechanism)
+    built = _Built(parts, mechanism, row)
     return {
         section.name: built[section.name]
         for section, _ in parts.chapter_sections
@@ -84,6 +85,7 @@ class _Built:
 
     parts: Parts
     mechanism: Mechanism | None
+    row: Row
 
     def __getitem__(self, name: str) -> Any:
         section, said = registry.named(name), self.parts.said.get(name)

@@ -17,7 +17,7 @@ from graphic_tmm.scene.bare import taken
 
 if TYPE_CHECKING:
     from graphic_tmm.board.bounds import Bound
-    from graphic_tmm.mechanism.records import Mechanism
+    from graphic_tmm.mechanism.records import Mechanism, Row
 
 Path = tuple[str | int, ...]
 Names = Mapping[str, float]
@@ -162,6 +162,10 @@ class OtherSections(Protocol):
     @property
     def mechanism(self) -> Mechanism | None:
         """The mechanism, if there is one."""
+
+    @property
+    def row(self) -> Row:
+        """Its row of positions."""
 
     def __getitem__(self, section: str) -> Any:
         """Return the record of a section, a tuple where there may be several; None if it is not there."""

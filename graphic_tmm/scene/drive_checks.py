@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -20,6 +21,19 @@ def goes_by_length(drive: Drive, parts: Parts) -> bool:
     link = next((one for one in parts.links if one is not None and one.number == drive.link), None)
     racked = drive.rack is not None
     return racked or (parts.frame is not None and mechanism.slides(drive, link, parts.frame))
+
+
+def is_even(drive: Drive) -> bool:
+    """Whether it goes at one speed all along its row: then the way that it has come tells the time."""
+    return not isinstance(drive.speed, tuple) and drive.speed > 0.0 and not drive.acceleration
+
+
+def time_of_turn(parts: Parts) -> float | None:
+    """Return how long a turn of the crank takes, s; None where it does not go round evenly."""
+    drive = parts.drive
+    if drive is None or not is_even(drive) or drive.open or goes_by_length(drive, parts):
+        return None
+    return math.tau / mechanism.as_row(drive.speed)[0]
 
 
 def motion_faults(path: Path, drive: Drive | FurtherDrive, parts: Parts) -> Iterator[Flaw]:

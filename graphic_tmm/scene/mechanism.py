@@ -248,6 +248,11 @@ class Drive:
         """How many positions the row has."""
         return self.positions if isinstance(self.positions, int) else len(self.positions)
 
+    @property
+    def open(self) -> bool:
+        """Whether its row goes from one end to another."""
+        return self.begin is not None or isinstance(self.positions, tuple)
+
 
 @dataclass(frozen=True)
 class FurtherDrive:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import math
 import random
+from collections.abc import Sequence
 
 import pytest
 from judges.test_random_drives import POSITIONS, WAYS
@@ -23,10 +24,10 @@ TURN = 61
 NO_STROKE = "does not turn back at both ends|shows no swing|a protractor reads 315° at most"
 
 
-def loaded(kind: str, seed: int) -> tuple[Random, Row]:
-    """A mechanism with loads that vary, and its row."""
+def loaded(kind: str, seed: int, by: Sequence[str] = ()) -> tuple[Random, Row]:
+    """A mechanism with loads that vary, and its row; one that goes evenly where they vary ``by`` time."""
     groups = 1 + seed % 3
-    found = _mechanism(kind, seed, groups)
+    found = _mechanism(kind, seed, groups, even="time" in by)
     if kind == "whole turn":
         scene = copy.deepcopy(found.scene)
         scene["drive"]["zero"] = math.degrees(found.at[0])
@@ -34,25 +35,27 @@ def loaded(kind: str, seed: int) -> tuple[Random, Row]:
     else:
         scene = found.row(found.walked[0][0], found.walked[-1][0], POSITIONS)
         row = Row(found, found.walked[0 if found.judge.drives[0].rate > 0 else -1][0])
-    loads = varying(random.Random(f"{kind} {seed} loads"), row)
+    loads = varying(random.Random(f"{kind} {seed} loads"), row, by)
     scene["load"] = [*scene.get("load", ()), *loads]
     return found._replace(scene=scene, judge=Judge(scene)), row
 
 
-def _mechanism(kind: str, seed: int, groups: int) -> Random:
+def _mechanism(kind: str, seed: int, groups: int, *, even: bool) -> Random:
     for k in range(50):
         found = drawn(seed + 1000 * k, KINDS[kind], groups)
-        if found is not None and (kind not in ROUND or len(found.walked) == TURN):
+        if found is None or (even and found.judge.drives[0].gain):
+            continue
+        if kind not in ROUND or len(found.walked) == TURN:
             return found
     raise AssertionError(kind)
 
 
-def judged(kind: str, seeds: range) -> int:
+def judged(kind: str, seeds: range, by: Sequence[str] = ()) -> int:
     """Compare some mechanisms; return how many were."""
     compared = 0
     for seed in seeds:
         try:
-            found, row = loaded(kind, seed)
+            found, row = loaded(kind, seed, by)
             going = [load for load in found.scene["load"] if "of" in load]
             none = [load for load in going if row.stroke(load) is None]
         except UnsureError:
@@ -87,6 +90,11 @@ def _sure(found: Random, row: Row, way: float) -> bool:
 @pytest.mark.parametrize("kind", ROUND)
 def test_loads_that_vary(kind: str) -> None:
     assert judged(kind, range(2)) >= 1
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_loads_by_time(kind: str) -> None:
+    assert judged(kind, range(20, 23), ["time"]) >= 1
 
 
 @pytest.mark.slow

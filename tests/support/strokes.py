@@ -69,6 +69,12 @@ class Row:
         """All along the places that were walked, as the first drive goes."""
         return self.found.walked[:: 1 if self.found.judge.drives[0].rate > 0 else -1]
 
+    @property
+    def time(self) -> float:
+        """How long the first drive takes over the row, evenly: from the one end to the other, or a turn; s."""
+        way = 2 * math.pi if self.whole else self.states[-1][0] - self.states[0][0]
+        return abs(way / self.found.judge.drives[0].rate)
+
     @cached_property
     def round(self) -> tuple[list[Place], bool]:
         """As far as the crank comes round from the first position, and whether that is a whole turn."""
@@ -242,7 +248,11 @@ def by_stroke(load: Mapping[str, Any], stroke: Stroke, at: Coordinate) -> float:
     if abs(at.rate) < SLOW * stroke.usual:
         raise UnsureError
     share = (at.place - stroke.begin) / stroke.length
-    points = _points(load.get("out" if at.rate * stroke.length > 0 else "back", ()))
+    return by_share(_points(load.get("out" if at.rate * stroke.length > 0 else "back", ())), share)
+
+
+def by_share(points: Table, share: float) -> float:
+    """The size at a share of a way, straight between two points of a table, none outside of it."""
     places = [x for x, _ in points]
     jumps = [a for a, b in pairwise(places) if a == b]
     jumps += [x for x in (places[0], places[-1]) if 0 < x < 1] if places else []
@@ -292,55 +302,61 @@ def _constant(row: Row, load: Mapping[str, Any], way: float, state: State) -> Ma
         turns = 2.0 if points[-1][0] > 360.0 else 1.0
         size = by_turn(points, 360.0 * turns, math.degrees(passed))
     elif "by_time" in load:
-        size = by_turn(_points(load["by_time"]), 2 * math.pi / rate, passed / rate)
+        points, time = _points(load["by_time"]), row.time
+        if row.whole:
+            size = by_turn(points, time * (2 if points[-1][0] > 1.5 * time else 1), passed / rate)
+        else:
+            size = by_share([(t / time, size) for t, size in points], passed / rate / time)
     else:
         return load
     kept = {key: told for key, told in load.items() if key not in VARYING}
     return kept | {"force" if "point" in load else "moment": size}
 
 
-def varying(pick: random.Random, row: Row) -> list[dict[str, Any]]:
-    """Loads whose sizes vary with anything there is; seldom with what has no stroke."""
+def varying(pick: random.Random, row: Row, kinds: Sequence[str] = ()) -> list[dict[str, Any]]:
+    """Loads whose sizes vary with anything there is, or of some ``kinds``; seldom with what has no stroke."""
     loads: list[dict[str, Any]] = []
     for _ in range(pick.choice((1, 1, 2))):
         for _ in range(6):
-            load = _load(pick, row)
+            load = _load(pick, row, kinds)
             if "of" not in load or row.stroke(load) is not None:
                 break
         loads.append(load)
     return loads
 
 
-def _load(pick: random.Random, row: Row) -> dict[str, Any]:
+def _load(pick: random.Random, row: Row, kinds: Sequence[str]) -> dict[str, Any]:
     """A force or a moment on a link."""
     found = row.found
     body = pick.choice(found.judge.words.bodies[1:])
     moving = [x for x in body.points if 0 not in found.judge.words.standing[x]]
     load: dict[str, Any] = {"link": body.number}
     if not moving or pick.random() < 0.4:
-        return load | _varies(pick, row, "N*m", 100.0 * found.scale)
+        return load | _varies(pick, row, kinds, "N*m", 100.0 * found.scale)
     load["point"] = pick.choice(moving)
     if pick.random() < 0.7:
         load["direction"] = f"{pick.uniform(-180, 180)!r} deg"
-    return load | _varies(pick, row, "N", 500.0)
+    return load | _varies(pick, row, kinds, "N", 500.0)
 
 
-def _varies(pick: random.Random, row: Row, unit: str, most: float) -> dict[str, Any]:
+def _varies(
+    pick: random.Random, row: Row, kinds: Sequence[str], unit: str, most: float
+) -> dict[str, Any]:
     """What a size goes by, and its table."""
     judge = row.found.judge
     lead = judge.drives[0]
-    kinds = ["slider", "point", "point", "link", "link"]
+    known = ["slider", "point", "point", "link", "link"]
     if lead.kind == "turn":
-        kinds += ["turn"]
-    if lead.kind == "turn" and len(judge.drives) == 1 and not lead.gain:
-        kinds += ["time"]
-    kind = pick.choice(kinds)
+        known += ["turn"]
+    if not lead.gain:
+        known += ["time"]
+    kind = pick.choice(kinds or known)
     if kind == "turn":
         cycle = pick.choice((360.0, 360.0, 720.0)) if row.whole else 360.0
         return {"by_angle": [[x * cycle, size] for x, size in _table(pick, unit, most)]}
     if kind == "time":
-        turn = 2 * math.pi / abs(lead.rate) * (1 - 1e-9)
-        return {"by_time": [[f"{x * turn!r} s", size] for x, size in _table(pick, unit, most)]}
+        time = row.time * (pick.choice((1, 2)) if row.whole else 1)
+        return {"by_time": [[f"{x * time!r} s", size] for x, size in _table(pick, unit, most)]}
     tables = {way: [[*one] for one in _table(pick, unit, most)] for way in ("out", "back")}
     if pick.random() < 0.3:
         del tables[pick.choice(("out", "back"))]

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.board.charts import STANDARD, ScaleOrder
-from graphic_tmm.chapters.forces.task import turns_of
+from graphic_tmm.chapters.forces.task import turns_written
 from graphic_tmm.chapters.indicator.task import IndicatorTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
@@ -172,7 +172,7 @@ def _cycle(flywheel: Said, parts: Parts) -> Iterator[Flaw]:
     cylinders, loads = parts.said.get("indicator"), parts.said.get("load") or ()
     if flywheel.turns is None or ("indicator" in parts.doc and not cylinders):
         return
-    by_loads = max((turns_of(load.by_angle or ()) for load in loads if load is not None), default=1)
+    by_loads = max((turns_written(load, parts) for load in loads if load is not None), default=1)
     if not cylinders and flywheel.turns > by_loads:
         says = said(
             "loads come back after a turn; write a section [indicator] with strokes = 4, or leave turns out"

@@ -15,13 +15,13 @@ from graphic_tmm.board.operations.statics import (
     with_motion,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number
+from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.directions import draw_along
 from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
-from graphic_tmm.chapters.forces.task import AGAINST, TURN, Load
-from graphic_tmm.chapters.forces.travel import by_travel, size_at_turn
+from graphic_tmm.chapters.forces.task import AGAINST, SAME_TIME, TURN, Load
+from graphic_tmm.chapters.forces.travel import by_travel, size_at_turn, size_in_row
 from graphic_tmm.chapters.kinematics.bodies import dyads
 from graphic_tmm.chapters.kinematics.motion import image_letter, is_signed, reading_of
 from graphic_tmm.errors import StructureError
@@ -200,6 +200,8 @@ def _sized(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
     if load.by_angle:
         turned = ground.numbers * (TURN / intervals) if ground.steps is None else ground.steps
         value = size_at_turn(load.by_angle, turned)[None, :]
+    elif load.by_time:
+        value = _in_row(ground, load)[None, :]
     elif isinstance(load.size, tuple):
         if len(load.size) != intervals:
             raise StructureError(
@@ -214,3 +216,19 @@ def _sized(ground: Ground, load: Load, letter: str, unit: str) -> Mark:
         row = [*load.size] * ground.turns
         value = np.array([*row, *[np.nan] * (ground.numbers.size - len(row))])[None, :]
     return draft.take(Number, letter, value, unit)
+
+
+def _in_row(ground: Ground, load: Load) -> Reals:
+    """Return the size of a load by time in every position of a row that does not close."""
+    assert ground.steps is not None
+    (pair, *_), steps = ground.pairs, ground.steps
+    last = pair.time(float(steps.max()))
+    if not load.by_time[-1][0] <= last * (1.0 + SAME_TIME) or not last > 0.0:
+        says = said(
+            "load on link {link}: the last position comes after {time:.6g} s, and the table goes on; end it "
+            "there",
+            link=load.link,
+            time=last,
+        )
+        raise StructureError(says, "by_time")
+    return size_in_row(load.by_time, pair, float(steps[ground.intervals - 1]), steps)

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard
@@ -61,15 +62,16 @@ def braced(letter: str, more: str = "") -> str:
 
 def varies(load: Load) -> bool:
     """Whether the size of a load is another at other positions."""
-    return load.travel is not None or bool(load.by_angle) or isinstance(load.size, tuple)
+    told = load.by_angle or load.by_time or isinstance(load.size, tuple)
+    return load.travel is not None or bool(told)
 
 
 def sizes_of(load: Load) -> tuple[float, ...]:
     """Return the sizes that are given of a load, N or N·m."""
     if load.travel is not None:
         return tuple(size for _, size in (*load.travel.out, *load.travel.back)) or (0.0,)
-    if load.by_angle:
-        return tuple(size for _, size in load.by_angle)
+    if points := load.by_time or load.by_angle:
+        return tuple(size for _, size in points)
     return load.size if isinstance(load.size, tuple) else (load.size,)
 
 
@@ -82,8 +84,8 @@ VIEW = "load"
 class Pictured(NamedTuple):
     """A load that varies: its place in the scene, its letter, its size on the board.
 
-    ``reach``: of the base (m of travel, degrees of the turn, positions); ``largest``: size, N or N·m. ``base``,
-    ``unit``: of what a mm of the base and of the height stands for; the base of positions has no unit.
+    ``reach``: of the base (m of travel, degrees of the turn, s, positions); ``largest``: size, N or N·m.
+    ``base``, ``unit``: of what a mm of the base and of the height stands for; that of positions has no unit.
     """
 
     place: int
@@ -103,12 +105,12 @@ class Pictured(NamedTuple):
     @property
     def scales(self) -> tuple[str, str]:
         """The letters of the scale factors of the base and of the height; "" of one without: travel has μ_l."""
-        along = "μ_φ" if self.base == "°/mm" else ""
-        return along, f"μ_{self.letter[0]}"
+        along = {"°/mm": "μ_φ", "s/mm": "μ_t"}
+        return along.get(self.base, ""), f"μ_{self.letter[0]}"
 
 
 def pictured(drawn: Drawn) -> Iterator[Pictured]:
-    """Yield the loads that are given by the travel of a slider, the turn or the position, in order."""
+    """Yield the loads that are given by a travel, the turn, the time or the position, in order."""
     made = FORCES_PLAN.on(drawn)
     loads = made.order.loads
     for k, (letter, load, size) in enumerate(
@@ -138,6 +140,8 @@ def _reach(drawn: Drawn, load: Load, size: Mark) -> tuple[float, str]:
         of = travelled(drawn, size)
         stroke = abs(drawn.value(of.stroke))
         return (stroke, "°/mm") if of.course.link else (stroke * mu_l(drawn), "m/mm")
+    if load.by_time:
+        return load.by_time[-1][0], "s/mm"
     if load.by_angle:
         return TURN * turns_of(load.by_angle), "°/mm"
     return float(len(sizes_of(load)) - 1 or 1), ""
@@ -251,7 +255,7 @@ def divisions(values: Sequence[float], whole: float) -> list[float]:
 
 
 def load_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
-    """Return the diagram of each load that is given by the travel of a slider, the turn or the position."""
+    """Return the diagram of each load that is given by a travel, the turn, the time or the position."""
     if FORCES_PLAN.of(drawn) is None:
         return []
     language, high = drawn.scene.language, heights(drawn.scene, PLACE)
@@ -282,10 +286,16 @@ def diagram_of(drawn: Drawn, one: Pictured, letter: str) -> Diagram:
     if load.travel is not None:
         parts = tuple(_strokes(load, one.reach))
         of, swings = travelled(drawn, one.size), one.base == "°/mm"
-        mu = 1.0 if swings else mu_l(drawn)
-        positions = tuple(_positions(drawn, one.size, of.way, mu, there))
+        ways = drawn.reading[of.way][0] * (1.0 if swings else mu_l(drawn))
+        positions = tuple(_positions(drawn, one.size, ways, there))
         axes = f"ψ_{of.course.link}, °" if swings else f"S, {unit('m', language)}", up
         return Diagram(parts, positions, axes, one.reach, one.largest)
+    if load.by_time:
+        plans, line = KINEMATICS_PLAN.on(drawn), Part("main", load.by_time)
+        times = plans.pairs[0].time(1.0) * plans.steps if plans.steps is not None else np.nan
+        positions = tuple(_positions(drawn, one.size, times, there))
+        axes = f"t, {unit('s', language)}", up
+        return Diagram((line,), positions, axes, one.reach, one.largest)
     if load.by_angle:
         line = Part("main", load.by_angle)
         return Diagram((line,), (), ("φ, °", up), one.reach, one.largest)
@@ -307,9 +317,10 @@ def _strokes(load: Load, reach: float) -> Iterator[Part]:
             yield Part(pen, tuple((share * reach, size) for share, size in points))
 
 
-def _positions(drawn: Drawn, size: Mark, way: Mark, mu: float, there: list[int]) -> Iterator[At]:
-    """The positions at which the load acts."""
-    sizes, ways = (np.broadcast_to(drawn.reading[m][0], len(drawn.names)) for m in (size, way))
+def _positions(drawn: Drawn, size: Mark, along: ArrayLike, there: list[int]) -> Iterator[At]:
+    """The positions at which the load acts, as far along the base as they are."""
+    told = drawn.reading[size][0], along
+    sizes, ways = (np.broadcast_to(one, len(drawn.names)) for one in told)
     for k in there:
         if np.isfinite(sizes[k] * ways[k]) and sizes[k]:
-            yield At(drawn.names[k], float(ways[k]) * mu, float(sizes[k]), k, size.slot)
+            yield At(drawn.names[k], float(ways[k]), float(sizes[k]), k, size.slot)

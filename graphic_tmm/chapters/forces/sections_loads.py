@@ -2,18 +2,16 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import task
 from graphic_tmm.chapters.forces.kinds import AGAINST, Along
 from graphic_tmm.chapters.indicator.task import ONE_TURN
 from graphic_tmm.language.said import said
-from graphic_tmm.scene import letters
+from graphic_tmm.scene import letters, mechanism
 from graphic_tmm.scene.declare import Flaw, Path, Said
-from graphic_tmm.scene.drive_checks import goes_by_length
-from graphic_tmm.scene.mechanism import Drive
+from graphic_tmm.scene.drive_checks import goes_by_length, is_even, time_of_turn
 from graphic_tmm.scene.references import Outline, arm_only, no_link, no_moving, of_link
 
 if TYPE_CHECKING:
@@ -33,34 +31,37 @@ def loads(told: list[tuple[Path, Said]], parts: Parts) -> Iterator[Flaw]:
                 "what drives slides and has no angle: write by_position, or of and out for a travel"
             )
             yield Flaw((*path, "by_angle"), says)
-        if load.by_time is not None and parts.drive is not None:
-            yield from _timed((*path, "by_time"), load.by_time, parts.drive, strokes=strokes)
+        by = "by_time" if load.by_time is not None else "by_angle"
+        if why := _untimed(load.by_time or (), parts, strokes=strokes):
+            yield Flaw((*path, by), why)
         for other in ONE_TURN:
-            if other in parts.doc and task.turns_of(load.by_angle or ()) > 1:
+            if other in parts.doc and task.turns_written(load, parts) > 1:
                 says = said(
                     "it goes over two turns, and the graphs of [{other}] over one; give it a scene of its own",
                     other=other,
                 )
-                yield Flaw((*path, "by_angle"), says)
+                yield Flaw((*path, by), says)
 
 
-def _timed(
-    path: Path, points: Sequence[tuple[float, float]], drive: Drive, *, strokes: bool
-) -> Iterator[Flaw]:
-    """Say what is wrong with sizes by time: only a crank that turns evenly tells where it is then."""
-    speed = drive.speed
-    if strokes or isinstance(speed, tuple) or not speed or drive.acceleration:
-        says = said(
-            "sizes by time want a crank that turns at one speed, not 0 and without acceleration; write "
-            "by_position"
+def _untimed(points: task.Table, parts: Parts, *, strokes: bool) -> str:
+    """Return why times tell no places, or not all of them; "" where they do."""
+    drive, turn = parts.drive, time_of_turn(parts)
+    if drive is None or not points:
+        return ""
+    if not any(mechanism.as_row(drive.speed)):
+        return said("what drives stands, so no place has a time; write by_position")
+    if not is_even(drive):
+        return said(
+            "speeds and accelerations hold in the positions they are given for and tell no time between two: "
+            "give the drive one speed and no acceleration, or write by_position"
         )
-        yield Flaw(path, says)
-    elif points[-1][0] * speed > 2.0 * math.pi * (1.0 + 1e-12):
-        says = said(
-            "a turn takes {time:.6g} s, and the table goes on; end it there, or write by_angle",
-            time=2.0 * math.pi / speed,
+    if strokes and not drive.open:
+        return said("where does the time begin? write from and to in [drive]")
+    if turn is not None and points[-1][0] > 2.0 * turn * (1.0 + task.SAME_TIME):
+        return said(
+            "two turns take {time:.6g} s, and the table goes on; end it there", time=2.0 * turn
         )
-        yield Flaw(path, says)
+    return ""
 
 
 def _load(path: Path, load: Said, names: Outline, count: int | None) -> Iterator[Flaw]:

@@ -5,16 +5,21 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from graphic_tmm.chapters.forces import kinds as w
 from graphic_tmm.chapters.indicator.task import IndicatorTask
-from graphic_tmm.mechanism.records import Drive, Mechanism
+from graphic_tmm.mechanism.records import Drive, Mechanism, Row
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import OtherSections, Said, combined_key, key
+from graphic_tmm.scene.drive_checks import time_of_turn
 from graphic_tmm.scene.quantities import kept
 from graphic_tmm.scene.tables import DeclaredTable, Named
 from graphic_tmm.scene.tasks import SectionKey
 from graphic_tmm.scene.units import GRAVITY, KGF
+
+if TYPE_CHECKING:
+    from graphic_tmm.scene.sections import Parts
 
 FORCES = "forces"
 LOADS = "load diagram"
@@ -24,6 +29,10 @@ LOADS = "load diagram"
 AGAINST = w.AGAINST
 TURN = 360.0
 """A turn of the crank, degrees."""
+SAME_TIME = 1e-5
+"""A time that is off that of a turn or of a row by less than this share is that one: faults tell six digits."""
+Table = tuple[tuple[float, float], ...]
+"""Places in order, and the sizes there."""
 _BY_SHARES = [[0, "0 N"], [1, "190 N"]]
 
 
@@ -90,7 +99,8 @@ class Load:
 
     A force in N; a moment in N·m on the link where ``point`` is None. ``size``: constant; or at every position
     of the row; ``by_angle``: at turns of the crank from the zero position (degrees, in order), straight between
-    them; ``travel``. ``direction``: degrees, fixed in the sheet; `Along`, which turns with the links; or
+    them; ``by_time``: at times from the zero position (s), which are turns where the row is one; ``travel``.
+    ``direction``: degrees, fixed in the sheet; `Along`, which turns with the links; or
     `AGAINST`. A moment with a direction in degrees is counter-clockwise positive. ``opposite``: the link on
     which the opposite acts, ``opposite_at``: at its point of that letter, else on the same line.
     """
@@ -131,8 +141,9 @@ class Load:
         (),
         by_time=key(
             w.BY_TIME,
-            "its size by the time from the zero position on, within a turn of a crank that turns evenly; two "
-            "sizes at one time are a jump, the second holds there",
+            "its size by the time from the zero position on, where what drives goes at one speed: over a turn "
+            "of the crank or two; or over a row with ends, and before and behind these times nothing acts; "
+            "two sizes at one time are a jump, the second holds there",
             [[0, "0 N"], ["0.05 s", "190 N"]],
             None,
         ),
@@ -193,17 +204,29 @@ class Load:
     )
 
 
-def timed(load: Load, drive: Drive) -> Load:
-    """Return a load with sizes by time at the turns of the crank, φ = ω·t, free of the last bits."""
-    if not load.by_time:
+def timed(load: Load, drive: Drive, row: Row) -> Load:
+    """Return a load with sizes by time at the turns of a crank that goes round evenly, φ = ω·t."""
+    if not load.by_time or row.open:
         return load
-    rate = math.degrees(abs(drive.speed))
-    return replace(load, by_angle=tuple((round(t * rate, 9), size) for t, size in load.by_time))
+    return replace(load, by_angle=scaled(load.by_time, math.tau / abs(drive.speed), TURN))
 
 
-def turns_of(points: tuple[tuple[float, float], ...]) -> int:
+def scaled(by_time: Table, time: float, whole: float) -> Table:
+    """Return sizes by time at places that an even motion comes to; it comes a ``whole`` way in a time."""
+    shares = [at / time for at, _ in by_time]
+    near = [round(one) if abs(one - max(round(one), 1)) < SAME_TIME else one for one in shares]
+    return tuple((whole * share, size) for share, (_, size) in zip(near, by_time, strict=True))
+
+
+def turns_of(points: Table) -> int:
     """Return over how many turns of the crank sizes by its turn are given; 1 where there are none."""
     return 2 if points and points[-1][0] > TURN else 1
+
+
+def turns_written(load: Said, parts: Parts) -> int:
+    """Return over how many turns of the crank the sizes of a load of a scene are given."""
+    time = time_of_turn(parts) if load.by_time else None
+    return turns_of(load.by_angle or (scaled(load.by_time, time, TURN) if time else ()))
 
 
 @dataclass(frozen=True)
@@ -338,7 +361,7 @@ def joined(others: OtherSections) -> Mapping[str, object]:
     effects, rubbed, mechanism = others["effects"], others["friction"], others.mechanism
     assert mechanism is not None
     return {
-        "loads": tuple(timed(load, mechanism.drive) for load in others["load"] or ()),
+        "loads": tuple(timed(load, mechanism.drive, others.row) for load in others["load"] or ()),
         "springs": others["spring"] or (),
         "gravity": effects.gravity,
         "inertia": effects.inertia,

@@ -25,7 +25,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.forces import words as why
-from graphic_tmm.chapters.forces.task import TURN, Travel, turns_of
+from graphic_tmm.chapters.forces.task import TURN, Table, Travel, scaled, turns_of
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.courses import WIDEST, Course, draw_end
 from graphic_tmm.chapters.kinematics.dead_centres import (
@@ -36,6 +36,7 @@ from graphic_tmm.chapters.kinematics.dead_centres import (
     draw_dead_centres,
     slider_of,
 )
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.extremes import Wanted, try_extreme
 from graphic_tmm.chapters.kinematics.row import zero_of
 from graphic_tmm.chapters.kinematics.survey import Survey, survey
@@ -341,9 +342,7 @@ def parts_of_strokes(travel: Travel, shares: Reals) -> tuple[Reals, Reals]:
     return part_of_travel(travel.out, shares), part_of_travel(travel.back, shares, ahead=False)
 
 
-def part_of_travel(
-    points: tuple[tuple[float, float], ...], shares: Reals, *, ahead: bool = True
-) -> Reals:
+def part_of_travel(points: Table, shares: Reals, *, ahead: bool = True) -> Reals:
     """Return the part that each share of the stroke stands on; nothing acts outside of them.
 
     From and to which share, from and to which size: (4, share). At a jump it is the size behind it, all the
@@ -363,7 +362,17 @@ def part_of_travel(
     return found
 
 
-def size_at_turn(points: tuple[tuple[float, float], ...], turned: Reals) -> Reals:
+def size_in_row(by_time: Table, pair: DrivenPair, way: float, gone: Reals) -> Reals:
+    """Return the size of a load by time where a row that goes a ``way`` has gone so far (° or m).
+
+    Nothing acts before the first time of the table, nor behind the last.
+    """
+    shares = gone / way
+    a, b, p, q = part_of_travel(scaled(by_time, pair.time(way), 1.0), shares)
+    return np.asarray(p + (q - p) * (shares - a) / (b - a))
+
+
+def size_at_turn(points: Table, turned: Reals) -> Reals:
     """Return the size of a load at turns of the crank, degrees; at a jump the size behind it.
 
     The last point and the first one of the next cycle, of one turn or of two, are joined like others.

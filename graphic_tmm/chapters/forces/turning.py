@@ -20,7 +20,7 @@ from graphic_tmm.chapters.forces.scales import polygon_scales
 from graphic_tmm.chapters.forces.table import balance_segments, force_columns
 from graphic_tmm.chapters.forces.task import TURN
 from graphic_tmm.chapters.forces.tool import Tool
-from graphic_tmm.chapters.forces.travel import parts_at, size_at_turn
+from graphic_tmm.chapters.forces.travel import parts_at, size_at_turn, size_in_row
 from graphic_tmm.chapters.forces.views import (
     decimals_told,
     driver_shown,
@@ -63,7 +63,8 @@ def between(drawn: Drawn, turn: Turn) -> Between:
         mu for mu in polygon_scales(drawn.project) if isinstance(drawn.given.get(mu), np.ndarray)
     ]
     found: dict[Mark, object] = {mu: common(drawn.given[mu]) for mu in scales}
-    in_turn = KINEMATICS_PLAN.on(drawn).in_turn
+    plans = KINEMATICS_PLAN.on(drawn)
+    in_turn = plans.in_turn
     at = turn.numbers % in_turn
     degrees = turn.numbers * (TURN / in_turn) if turn.row is None else turn.along
     for load, size in zip(made.order.loads, made.loads.given, strict=True):
@@ -71,7 +72,7 @@ def between(drawn: Drawn, turn: Turn) -> Between:
             continue
         if load.travel is not None:
             of = made.loads.travels[size]
-            phi = KINEMATICS_PLAN.on(drawn).positions.row[0]
+            phi = plans.positions.row[0]
             reading = turn.read([of.way, of.stroke, phi])
             shares = reading[of.way][0] / reading[of.stroke][0, 0]
             from_, to, first, last = parts_at(load.travel, of, shares, reading[phi][0])
@@ -81,6 +82,9 @@ def between(drawn: Drawn, turn: Turn) -> Between:
             found |= dict(zip(step.uses[:4], parts, strict=True))
         elif load.by_angle:
             found[size] = size_at_turn(load.by_angle, degrees)[None, :]
+        elif load.by_time and (steps := plans.steps) is not None:
+            way = float(steps[plans.count - 1])
+            found[size] = size_in_row(load.by_time, plans.pairs[0], way, turn.along)[None, :]
         elif isinstance(load.size, tuple):
             found[size] = np.interp(at, np.arange(in_turn), load.size, period=in_turn)[None, :]
     return found

@@ -13,8 +13,9 @@ from support.boards import drawn_of
 from support.flywheels import Crank, crank, graphs, scene_of, taut
 from support.gallery import SHEETS
 from support.graphs import assert_read_off_the_log
-from support.scenes import edited, written
+from support.scenes import edited, source, written
 
+import graphic_tmm
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN
 from graphic_tmm.chapters.flywheel.table import flywheel_columns, flywheel_results
 from graphic_tmm.chapters.flywheel.views import flywheel_views
@@ -317,3 +318,24 @@ def test_a_cycle_of_loads_alone_takes_one_turn(tmp_path: Path) -> None:
     path = edited(tmp_path, ("delta", "turns = 2\ndelta"), name="windrower")
     with pytest.raises(SceneError, match=r"flywheel.turns.*leave turns out"):
         read(path)
+
+
+def test_a_cycle_of_loads_by_time_takes_the_turns_of_their_times(tmp_path: Path) -> None:
+    """At 380 rpm two turns take 6/19 s; a wheel for them is that of the same loads by the angle."""
+    turn = 3.0 / 19.0
+    tables = {
+        "by_angle": '[[0, "0 N"], [200, "190 N"], [600, "40 N"], [720, "0 N"]]',
+        "by_time": f'[[0, "0 N"], ["{200 / 360 * turn!r} s", "190 N"], ["{600 / 360 * turn!r} s", '
+        f'"40 N"], ["{2 * turn!r} s", "0 N"]]',
+    }
+    inertia = []
+    for key, table in tables.items():
+        folder = tmp_path / key
+        folder.mkdir()
+        text = source("windrower").replace('force = "190 N"', f"{key} = {table}")
+        text = text.replace("delta ", "turns = 2\ndelta ")
+        diagrams = text.index("[diagrams]")
+        text = text[:diagrams] + text[text.index("\n[", diagrams + 1) :].replace('"diagrams", ', "")
+        made = graphic_tmm.draw(written(folder, text), exact=True)
+        inertia.append(made.results["J_fly"].value)
+    assert inertia[0] == pytest.approx(inertia[1], rel=1e-9)

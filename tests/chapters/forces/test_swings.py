@@ -304,9 +304,12 @@ def test_a_load_by_time_is_that_at_the_turns_of_an_even_crank(tmp_path: Path) ->
 
 
 UNTIMED = {
-    'speed = "40.0 1/s"': ('speed = "40.0 1/s"\nacceleration = "3 rad/s2"', "at one speed, not 0"),
-    'speed = "40.0 1/s"\n': ("speed = 0\n", "at one speed, not 0"),
-    '"0.05 s"': ('"0.2 s"', "a turn takes 0.15708 s, and the table goes on"),
+    'speed = "40.0 1/s"': (
+        'speed = "40.0 1/s"\nacceleration = "3 rad/s2"',
+        "tell no time between two",
+    ),
+    'speed = "40.0 1/s"\n': ("speed = 0\n", "what drives stands"),
+    '"0.05 s"': ('"0.4 s"', "two turns take 0.314159 s, and the table goes on"),
 }
 
 

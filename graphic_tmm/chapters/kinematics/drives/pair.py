@@ -80,6 +80,10 @@ class DrivenPair(ABC):
             return row if signed else np.abs(row)
         return self.speed if signed else abs(self.speed)
 
+    def time(self, way: float) -> float:
+        """Return how long it takes over a way (° or m), s, as it goes at one speed."""
+        return (math.radians(way) if self.sweep.turns else way) / abs(self.speed)
+
     @property
     def gains(self) -> float | Reals:
         """Its second rate as it is given: a number, or a row of positions (1, position)."""
