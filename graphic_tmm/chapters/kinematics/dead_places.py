@@ -1,4 +1,8 @@
-"""Where what slides cannot turn the next link: a rod whose line goes through its pivot, links in one line."""
+"""Where a mechanism does not go on: what slides cannot turn the next link, or guides become parallel.
+
+A rod cannot where its line goes through the pivot, a slider where links lie in one line. Two guides that become
+parallel meet nowhere: on both sides the group can be drawn, and never comes from one to the other.
+"""
 
 from __future__ import annotations
 
@@ -6,9 +10,13 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.board.values import undefined
+from graphic_tmm.board.geometry import wedge
+from graphic_tmm.board.operations.instruments import meet
+from graphic_tmm.board.values import Reals, undefined
 from graphic_tmm.chapters.kinematics.bodies import PinLeg, dyads
+from graphic_tmm.chapters.kinematics.fit import place_of
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -24,8 +32,49 @@ SLIDER = said(
 )
 
 
+PARALLEL = said(
+    "At {at} both guides of group {group} are parallel and meet nowhere: the mechanism does not go past it."
+)
+HALVINGS, TURNED = 50, 1e-6
+"""How often the bracket of a place is halved; the sine of two guides that are parallel is less than this."""
+
+
 def dead_places(drawn: Drawn, language: str) -> Iterator[str]:
-    """Yield, as sentences, the positions in which a drive that slides is at a dead place."""
+    """Yield, as sentences, the positions in which a drive that slides is at a dead place; parallel guides."""
+    yield from _locked(drawn, language)
+    plans, _ = KINEMATICS_PLAN.on(drawn), speaking(language)
+    for closing in dyads(plans.positions.closings, VELOCITIES):
+        for place in _parallel(plans.tried, closing.group.name, plans.ends):
+            yield _(PARALLEL, at=place_of(place, plans.tried.sweep), group=closing.group.name)
+
+
+def _parallel(survey: Survey, group: str, ends: tuple[float, float] | None) -> list[float]:
+    """Return the coordinates of the drive over the row at which both guides of a group are parallel."""
+    root = next(c.root for c in survey.positions.closings if c.group.name == group)
+    step = survey.construction.step(root)
+    if step is None or step.op is not meet:
+        return []
+
+    def sine(row: Reals) -> Reals:
+        first, second = (survey.at(row, step.uses)[mark].along for mark in step.uses)
+        return np.asarray(np.broadcast_to(wedge(first, second), row.shape)[0])
+
+    row, _ = survey.whole([], ends)
+    row = np.append(row[0], survey.sweep.high) if ends is None and survey.sweep.closed else row[0]
+    tried = sine(row[None, :])
+    if not tried.any():
+        return []
+    at = np.flatnonzero(tried[:-1] * tried[1:] < 0.0)
+    low, high, begun = row[at], row[at + 1], np.sign(tried[at])
+    for _ in range(HALVINGS if at.size else 0):
+        middle = (low + high) / 2.0
+        same = np.sign(sine(middle[None, :])) == begun
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    found = [*row[tried == 0.0], *low[np.abs(sine(low[None, :])) < TURNED]]
+    return sorted(survey.sweep.within(float(place)) for place in found)
+
+
+def _locked(drawn: Drawn, language: str) -> Iterator[str]:
     plans, reading, _ = KINEMATICS_PLAN.on(drawn), drawn.of(VELOCITIES), speaking(language)
     if plans.velocities is None or reading is None:
         return
