@@ -117,6 +117,8 @@ def _traveller(draft: Draft, ground: Drawing, travel: Travel, count: int) -> Tra
     course, slider = _course_by(draft.given, ground.positions, ground.survey, travel)
     row, begin = _row(draft, ground), _begin(course, travel)
     inside = 0 if course.ends is not None else _first(course, row, ground)
+    if course.ends is None and not inside and course.link is not None and course.span > WIDEST:
+        raise _too_wide(course.link, course.span)
     if course.ends is None and not inside and (slider is None or ground.steps is not None):
         says = said(
             "{what} does not turn back at both ends, nor go one way through the row; give the size "
@@ -164,15 +166,19 @@ def _first(course: Course, row: Reals, ground: Drawing) -> int:
     gains = np.diff(places)
     first = -1 if (gains > 0.0).all() else int((gains < 0.0).all())
     if first and course.link is not None and (swing := abs(places[-1] - places[0])) > WIDEST:
-        says = said(
-            "link {link} turns by {swing:.4g}° through the row, and a protractor reads {widest:g}° at most; "
-            "give the size by_position, or by_angle",
-            link=course.link,
-            swing=swing,
-            widest=WIDEST,
-        )
-        raise StructureError(says, "of", head="load")
+        raise _too_wide(course.link, swing)
     return first
+
+
+def _too_wide(link: int, swing: float) -> StructureError:
+    says = said(
+        "link {link} turns by {swing:.3g}°, and a protractor reads {widest:g}° at most; give the size "
+        "by_position, or by_angle",
+        link=link,
+        swing=swing,
+        widest=WIDEST,
+    )
+    return StructureError(says, "of", head="load")
 
 
 class _Ends(NamedTuple):

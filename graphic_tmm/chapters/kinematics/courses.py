@@ -98,28 +98,34 @@ class Course:
         return np.asarray(np.abs(self.speed(row[None, :])[0] / self.usual) <= STANDS)
 
     @cached_property
+    def _reach(self) -> tuple[Reals, list[Complexes], Reals]:
+        """Of a drive that turns, the coordinates that it comes to, the points there, how far it has come."""
+        row, reading, there = over_whole(self.survey, self.marks)
+        reached = _reached(self.survey, row[0], there)
+        spots = [np.broadcast_to(reading[mark][0], there.shape)[reached] for mark in self.marks]
+        return row[0, reached], spots, self._placed(spots)
+
+    @property
+    def span(self) -> float:
+        """How far it comes between the places of a drive that turns, m or degrees; 0 where it comes nowhere."""
+        places = self._reach[2] if self.survey.sweep.turns else np.zeros(0)
+        return float(np.nanmax(places) - np.nanmin(places)) if places.size else 0.0
+
+    @cached_property
     def ends(self) -> tuple[Tried, Tried] | None:
         """Where it is least and greatest, by the drive; None if it does not turn back at both.
 
         Of a crank that does not turn round, between the dead places on both sides of the zero position: behind
         them the mechanism may stand as well, but never comes there.
         """
-        if not self.survey.sweep.turns:
+        if self.span == 0.0:
             return None
-        row, reading, there = over_whole(self.survey, self.marks)
-        reached = _reached(self.survey, row[0], there)
-        if not reached.size:
-            return None
-        spots = [np.broadcast_to(reading[mark][0], there.shape)[reached] for mark in self.marks]
-        places = self._placed(spots)
-        span = np.nanmax(places) - np.nanmin(places)
+        row, spots, places = self._reach
         most = np.nanmax(np.abs(spots)) if self.link is None else WIDEST
-        if span <= STILL * most or (self.link is not None and span > WIDEST):
+        if self.span <= STILL * most or (self.link is not None and self.span > WIDEST):
             return None
         at = (int(np.nanargmin(places)), int(np.nanargmax(places)))
-        least, greatest = (
-            turning_back(self.survey, self.speed, float(row[0, reached[k]])) for k in at
-        )
+        least, greatest = (turning_back(self.survey, self.speed, float(row[k])) for k in at)
         return (least, greatest) if np.isfinite([least.angle, greatest.angle]).all() else None
 
 

@@ -330,7 +330,7 @@ def test_its_diagram_stands_over_the_angle(tmp_path: Path) -> None:
 
 
 WRONG = {
-    "of = 1": "link 1 does not turn back at both ends",
+    "of = 1": "link 1 turns by 360°, and a protractor reads 315° at most",
     "of = 0": "link 0 is the frame",
     "of = 7": "there is no link 7",
     'of = "E"': "point E does not slide along a straight guide of the frame",
