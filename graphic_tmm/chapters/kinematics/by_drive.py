@@ -23,6 +23,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import dissect
 
+PRIME = "′"
+
 
 @operation(
     symbol=f"{READ} + N1 + {SLIDE} + M1 + R1 + M2",
@@ -101,6 +103,3 @@ def draw_sums(draft: Draft, whole: Motion, by_drive: tuple[ByDrive, ...]) -> tup
                 ends.append(end)
             found[image] = Summed(pole, tuple(ends))
     return tuple(found.values())
-
-
-PRIME = "′"
