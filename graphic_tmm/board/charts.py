@@ -33,6 +33,14 @@ STANDARD = ScaleOrder()
 """Nothing is fixed: a standard μ is chosen."""
 
 
+class Follower(NamedTuple):
+    """Points on a curve that follow those through which it was drawn, ``behind`` so many positions."""
+
+    curve: Mark
+    points: Mark
+    behind: int
+
+
 class Chart(NamedTuple):
     """A graph: its view, the symbol and unit of its ordinates, its scale, the ordinates read off (Length).
 
@@ -40,6 +48,7 @@ class Chart(NamedTuple):
     a given mark; ``wanted`` its value if the task fixes it, else a standard one is found at which the highest
     of the ordinates takes ``room`` mm at most. ``room`` None: the whole figure, from its lowest to its highest
     point, takes at most what the format has for a graph; ``figure``: its points, if not the ordinates.
+    ``followers``: further points on its curves.
     """
 
     view: str
@@ -52,6 +61,7 @@ class Chart(NamedTuple):
     room: float | None
     end: Mark | None = None
     figure: tuple[Mark, ...] = ()
+    followers: tuple[Follower, ...] = ()
 
     @property
     def scale_name(self) -> str:

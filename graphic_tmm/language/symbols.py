@@ -56,7 +56,7 @@ _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
     (r"(?<=[φΦNnuαβO]_)r(?=[\])]?$)", "%s", (said("r", context="index: rise"),)),
     (r"(?<=[φΦNnuαβO]_)f(?=[\])]?$)", "%s", (said("f", context="index: return"),)),
     (r"(?<=[ph]_\{[kv])m(?=\})", ",%s", (_MEAN,)),
-    (r"([ph]_\{[kv][A-Z]\d*)m(?=\})", r"\1,%s", (_MEAN,)),
+    (r"([ph]_\{[kv](?:[A-Z]\d*)+)m(?=\})", r"\1,%s", (_MEAN,)),
     (r"(?<=[pPFDdnfhcxyA]_\{)k(?=[A-Z])", "%s", (_C,)),
     (r"(?<=[pPFDdnfhcxyA]_\{)v(?=[A-Z])", "%s", (_S,)),
     (r"(?<=[pPFDdnfhcAσ]_)k(?=0?$)|(?<=[ph]_\{)k(?=,)", "%s", (_C,)),

@@ -55,20 +55,29 @@ def cursors(dense: Dense, drawn: Drawn, sheets: Sequence[Sheet]) -> Iterator[Cur
                 if step.it.view not in view.shows or not _inked(view, step):
                     continue
                 chart, origin = charts[step.it.view], view.origin(step.it.view)
-                spots, upright = _spots(dense, log, step, reading)
-                read = _read(log, step, chart)
-                yield Cursor(
-                    name,
-                    number,
-                    step.it.slot,
-                    spots + origin,
-                    origin,
-                    _called(chart, read),
-                    float(reading[chart.mu][0, 0]),
-                    chart.unit,
-                    upright,
-                    read,
-                )
+                for through, behind in _through(chart, step):
+                    spots, upright = _spots(dense, log, step, reading, through, behind)
+                    read = _read(log, step, chart, through)
+                    yield Cursor(
+                        name,
+                        number,
+                        step.it.slot,
+                        spots + origin,
+                        origin,
+                        _called(chart, read),
+                        float(reading[chart.mu][0, 0]),
+                        chart.unit,
+                        upright,
+                        read,
+                    )
+
+
+def _through(chart: Chart, step: Step) -> Iterator[tuple[Mark, int]]:
+    """Yield the points through which a curve goes, and how many positions each follow the first."""
+    yield step.uses[0], 0
+    for one in chart.followers:
+        if one.curve == step.it:
+            yield one.points, one.behind
 
 
 def _inked(view: Drawing, step: Step) -> bool:
@@ -83,25 +92,31 @@ def _called(chart: Chart, read: Mark | None) -> str:
     of, _, index = read.name.partition("_")
     if of != "y":
         return read.name
-    return index.strip("{}") if index.startswith("{") else f"{chart.symbol}_{index}"
+    # the side of a piston is no letter of its own: y_{kB} is told as p_{kB}
+    told = index.strip("{}")
+    return told if index.startswith("{") and not told[0].islower() else f"{chart.symbol}_{index}"
 
 
-def _read(log: Construction, step: Step, chart: Chart) -> Mark | None:
+def _read(log: Construction, step: Step, chart: Chart, through: Mark) -> Mark | None:
     """Return the reading, from the base, of the points that a curve goes through or that were marked on it."""
-    points = {step.uses[0]}
+    points = {through}
     points |= {one.it for one in log.steps if one.uses[:1] == (step.it,) and one.it.kind is Point}
     axes = next((f for f in log.figures if f.kind == "axes" and f.view == step.it.view), None)
     found = (s for s in log.steps if s.it in chart.ordinates and s.uses[1] in points)
     return next((s.it for s in found if axes is None or s.uses[0] == axes.marks[FEET]), None)
 
 
-def _spots(dense: Dense, log: Construction, step: Step, reading: Reading) -> tuple[Complexes, bool]:
-    """Return where on a curve every angle stands, mm of its view, and whether it stands over a base."""
+def _spots(
+    dense: Dense, log: Construction, step: Step, reading: Reading, through: Mark, behind: int
+) -> tuple[Complexes, bool]:
+    """Return where on a curve every angle stands, mm of its view, and whether it stands over a base.
+
+    ``through``: the points on it that run there, ``behind`` so many positions.
+    """
     count = dense.drawn.project.count
-    numbers = dense.numbers
+    numbers = dense.numbers - behind
     curve: Curve = reading[step.it]
     axes = next((f for f in log.figures if f.kind == "axes" and f.view == step.it.view), None)
-    through = step.uses[0]
     if axes is not None and not curve.closed:
         origin, end = (reading[axes.marks[k]][0, 0] for k in (ORIGIN, END))
         feet = origin + numbers / count * (end - origin)

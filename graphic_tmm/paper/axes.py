@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -33,6 +33,8 @@ _OTHER_SIDE, _LOWER, _ALONE = 10.0, 12.0, 14.0
 before; that all stand on the next level below; that one stands a level farther out than the others."""
 _LEVEL, _STAYS = 15.0, 2.0
 """What it costs to stand on a level line, read as a minus between numbers; to stay on the other side."""
+HEAD = 3.0
+"""Clear width between the letter of a row and its first number, mm."""
 DEEPER = (4.5, 9.0)
 """How far below the first level there are others, mm."""
 
@@ -71,16 +73,37 @@ def position_numbers(
         return ()
     low, high = -TICK - CLEAR - size, TICK + CLEAR
     ink = _Inked(strokes, (low - 2 * DEEPER[-1] - size, high + DEEPER[-1] + 3 * size))
-    rows = [_level(there, (low, high), size, ink)]
+    rows = [_level(there, _around(low, high), size, ink)]
     if rows[0].cost > _OTHER_SIDE:
         rows += [
-            _level(there, (high, low), size, ink, _OTHER_SIDE),
+            _level(there, _around(high, low), size, ink, _OTHER_SIDE),
             *(
-                _level(there, (low - by, high), size, ink, k * _LOWER)
+                _level(there, _around(low - by, high), size, ink, k * _LOWER)
                 for k, by in enumerate(DEEPER, 1)
             ),
         ]
     return min(rows, key=lambda one: one.cost).labels
+
+
+def number_rows(
+    rows: Mapping[str, Sequence[Named]], size: float, below: float
+) -> tuple[Label, ...]:
+    """Return the numbers of positions of several things along one base, a row for each below the row before.
+
+    ``rows``: their positions, by the letters that begin the rows; ``below``: under which height, mm. A number
+    for which its row has no room stands lower, and the rows behind it then, too.
+    """
+    found: list[Label] = []
+    low, ink = below - TICK - CLEAR - size, _Inked((), (0.0, 0.0))
+    for text, named in rows.items():
+        there = [one for one in named if np.isfinite(one.at)]
+        levels = [(low - k * DEEPER[0], k * _ALONE) for k in range(len(there) or 1)]
+        labels = _level(there, levels, size, ink, beside=BETWEEN).labels
+        if labels:
+            left = min(label.at.real for label in labels) - HEAD
+            found += [Label(text, complex(left, low), size, "end", of=labels[0].of), *labels]
+            low = min(label.at.imag for label in labels) - size - BETWEEN
+    return tuple(found)
 
 
 def tick_figures(ticks: Iterable[tuple[float, str]], size: float) -> tuple[Label, ...]:
@@ -177,29 +200,38 @@ def _meets(stroke: Ink, band: tuple[float, float]) -> bool:
     return min(heights) - by <= band[1] and max(heights) + by >= band[0]
 
 
+def _around(base: float, other: float) -> list[tuple[float, float]]:
+    """Return levels of numbers, mm, and what it costs to stand there: on one side of an axis, on the other."""
+    found = [(base, 0.0), (other, _OTHER_SIDE)]
+    for k, by in enumerate(DEEPER, 1):
+        found += [
+            (min(base, other) - by, k * _ALONE),
+            (max(base, other) + by, k * _ALONE + _OTHER_SIDE),
+        ]
+    return found
+
+
 def _level(
     named: Sequence[Named],
-    bases: tuple[float, float],
+    bases: Sequence[tuple[float, float]],
     size: float,
     ink: _Inked,
     cost: float = 0.0,
+    beside: float = BESIDE,
 ) -> _Row:
-    """Return numbers on a level; ``bases``: its height, and the one for what finds no place there, mm.
+    """Return numbers on a level; ``bases``: its height, those for what finds no place there, mm, with costs.
 
-    ``cost``: of the level.
+    ``cost``: of the level; ``beside``: clear width to a perpendicular, mm.
     """
     if not named:
         return _Row((), cost)
-    levels, moved = [*bases], [0.0, _OTHER_SIDE]
-    for k, by in enumerate(DEEPER, 1):
-        levels += [min(bases) - by, max(bases) + by]
-        moved += [k * _ALONE, k * _ALONE + _OTHER_SIDE]
+    levels, moved = zip(*bases, strict=True)
     ordered = sorted(named, key=lambda one: one.at.real)
     made = [letter(one.text, size=size) for one in ordered]
     feet, wide = np.array([one.at.real for one in ordered]), np.array([one.width for one in made])
     up, down = (np.array([[getattr(m, k)] for m in made]) for k in ("ascent", "descent"))
     far = np.array(FAR)
-    left = (feet - BESIDE - wide)[:, None] - far, (feet + BESIDE)[:, None] + far
+    left = (feet - beside - wide)[:, None] - far, (feet + beside)[:, None] + far
     starts = np.concatenate(left, axis=1)
     ends = starts + wide[:, None]
     first, last = np.minimum(starts, feet[:, None]), np.maximum(ends, feet[:, None])
@@ -215,7 +247,7 @@ def _level(
     taken, side = np.full(len(levels), -math.inf), 0
     for k, one in enumerate(ordered):
         again = np.tile(starts[k], len(levels))
-        costs = tried[k] + _LABEL * (again < taken[sides] + BETWEEN)
+        costs = tried[k] + _LABEL * (again < taken[sides] + 2 * beside)
         costs = costs + np.where((sides == 1) & (side == 1), _STAYS, np.array(moved)[sides])
         best = int(np.argmin(costs))
         if costs[best] >= _LABEL:

@@ -11,7 +11,7 @@ from graphic_tmm.page.cursors import Cursor, cursors
 from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.paper.drawing import Bezier, Drawing
 
-SCENES = ["engine", "slider-diagrams", "locomobile", "windrower", "four-stroke"]
+SCENES = ["engine", "slider-diagrams", "locomobile", "windrower", "four-stroke", "v-engine"]
 
 
 def _found(name: str) -> tuple[Dense, list[Cursor]]:

@@ -34,7 +34,8 @@ from graphic_tmm.chapters.engine.formulas import (
 from graphic_tmm.chapters.engine.plan import ENGINE_PLAN, Engine, record
 from graphic_tmm.chapters.engine.task import ASKED, CALCULATED, ENGINE, MASSES, WORKS_VIEW
 from graphic_tmm.chapters.engine.transfer import Transfer, draw_transfer
-from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, Side, machine_of
+from graphic_tmm.chapters.indicator.diagram import Side
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.indicator.task import INDICATOR, Wish
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, FULL_TURN, VELOCITIES
 from graphic_tmm.mechanism.records import Link

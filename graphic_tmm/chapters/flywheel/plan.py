@@ -46,11 +46,11 @@ from graphic_tmm.chapters.flywheel.energy import (
 from graphic_tmm.chapters.flywheel.rim import DrawnRim, draw_rim
 from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, VIEWS, FlywheelTask
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
+from graphic_tmm.chapters.indicator.diagram import letter_of
 from graphic_tmm.chapters.indicator.plan import (
     INDICATOR_PLAN,
     Cylinder,
     Machine,
-    letter_of,
     machine_of,
 )
 from graphic_tmm.errors import StructureError
@@ -152,7 +152,7 @@ def draw_flywheel(
             draft, energies, done.surplus, gained, delta, velocities.speed, order.tangents
         )
     more = (second.chart,) if second is not None else ()
-    first = (one.indicator.chart for one in cylinder.every) if cylinder is not None else ()
+    first = cylinder.charts if cylinder is not None else ()
     found = (*first, chart, *charts, *more)
     works = (done.points, done.straight)
     return Flywheel(

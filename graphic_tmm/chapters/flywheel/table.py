@@ -74,7 +74,8 @@ def results_for(drawn: Drawn, made: Flywheel, beside: Aside) -> Results:
     for one in made.cylinder.every if made.cylinder is not None else ():
         for side in one.indicator.sides:
             if side.mean is not None:
-                marks["_".join(filter(None, ("p_mean", side.name, one.tag)))] = side.mean
+                tag = one.tag if one.indicator.tag else ""
+                marks["_".join(filter(None, ("p_mean", side.name, tag)))] = side.mean
     if beside.apart is not None:
         marks["J_apart"] = beside.apart
     marks |= {"M_mean": beside.moment, "power": beside.power, "A_excess": beside.excess}

@@ -26,7 +26,8 @@ from graphic_tmm.chapters.forces.given_loads import given_load
 from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
 from graphic_tmm.chapters.forces.springs import draw_spring, numbers
 from graphic_tmm.chapters.forces.task import ForcesTask
-from graphic_tmm.chapters.indicator.plan import Cylinder, letter_of
+from graphic_tmm.chapters.indicator.diagram import letter_of
+from graphic_tmm.chapters.indicator.plan import Cylinder
 from graphic_tmm.chapters.kinematics.motion import Motion, is_signed, reading_of
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.masses import inertia_of, mass_centre

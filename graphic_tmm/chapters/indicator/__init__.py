@@ -11,10 +11,11 @@ the stroke p = p₁·((c + x₁)/(c + x))^n on the cover's side; on the shaft's 
 the other end. On which part a position stands is chosen before the log is run, by the exact travel; the
 pressure itself is a step, by the travel as measured.
 
-Of several cylinders each is drawn for itself: its base begins at the dead centre of its own piston, which is
-drawn where the row does not begin there (`kinematics.dead_centres`); in a cylinder that swings the travel is
-the change of its length. A cycle of four strokes begins at the first dead centre away from the crank, or a turn
-later by its ``phase``. The reduced moments of all add up.
+Of several cylinders the base of each begins at the dead centre of its own piston, which is drawn where the row
+does not begin there (`kinematics.dead_centres`); in a cylinder that swings the travel is the change of its
+length. Pistons of the same pressures that follow each other by whole positions share one diagram, each with
+a row of its own positions (`sharing`). A cycle of four strokes begins at the first dead centre away from the
+crank, or a turn later by its ``phase``. The reduced moments of all add up.
 
 The force of the gas is the pressure on the cover's area less that on the ring that the rod leaves of it on
 the shaft's side: P = p_k·F_k − p_v·F_v. It is positive away from the cover.

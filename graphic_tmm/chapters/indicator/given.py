@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphic_tmm.chapters.indicator.plan import letter_of
+from graphic_tmm.chapters.indicator.diagram import letter_of
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, Stretch
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said

@@ -25,12 +25,12 @@ class GasPage(Page[T]):
         """Yield the indicator diagram: its division, pressures, areas, the force; the scale of the stroke."""
         name = self.chapter.name
         views = readable(self.drawn, lambda held: indicator_views(held, True, name))
-        if len(INDICATOR_PLAN.on(self.drawn).every) == 1:
+        charts = INDICATOR_PLAN.on(self.drawn).charts
+        if len(charts) == 1:
             yield from self.view(VIEW, [picture(view, self.language) for view in views])
         else:
-            every = INDICATOR_PLAN.on(self.drawn).every
-            for view, one in zip(views, every, strict=True):
-                yield from self.view(one.indicator.chart.view, [picture(view, self.language)])
+            for view, chart in zip(views, charts, strict=True):
+                yield from self.view(chart.view, [picture(view, self.language)])
         steps = self.drawn.construction.steps
         marks = [step.it for step in steps if step.it.view == CALCULATED]
         yield from self.calculation(*marks)

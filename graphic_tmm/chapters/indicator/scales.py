@@ -8,8 +8,8 @@ from graphic_tmm.project import Project
 
 
 def _keys(project: Project) -> dict[str, str]:
-    every = INDICATOR_PLAN.on(project).every
-    return {one.indicator.chart.view: "_".join(filter(None, ("mu_p", one.tag))) for one in every}
+    every = (one.indicator for one in INDICATOR_PLAN.on(project).every)
+    return {one.chart.view: "_".join(("mu_p", *one.tag.split())) for one in every}
 
 
 SCALES = ScaleFactors(keys=_keys)

@@ -244,8 +244,16 @@ class IndicatorTask:
             None,
         ),
     )
-    base: float = key(v.DRAWN, "drawn length of the stroke", "100 mm", 100.0, fixes="size")
-    height: float = key(v.DRAWN, "room for the highest pressure", "100 mm", 100.0, fixes="size")
+    base: float = key(
+        v.DRAWN, "drawn length of the stroke; same_as gives it, too", "100 mm", 100.0, fixes="size"
+    )
+    height: float = key(
+        v.DRAWN,
+        "room for the highest pressure; same_as gives it, too",
+        "100 mm",
+        100.0,
+        fixes="size",
+    )
     mu: float | None = key(
         v.mu("scale of pressures"), "Pa/mm", "1500 Pa/mm", None, written="mu_p", fixes="size"
     )
@@ -296,10 +304,16 @@ def _filled(order: IndicatorTask, by_point: Mapping[str, IndicatorTask]) -> Indi
     if not order.same_as:
         return order
     of = by_point[order.same_as]
+    unsaid = {
+        name: getattr(of, name)
+        for name in ("base", "height", "mu")
+        if getattr(order, name) == getattr(IndicatorTask, name)
+    }
     bore, shaft = order.cover.bore or of.cover.bore, of.shaft
     if shaft is not None:
         shaft = replace(shaft, bore=bore)
-    return replace(order, cover=replace(of.cover, bore=bore), shaft=shaft, strokes=of.strokes)
+    cover = replace(of.cover, bore=bore)
+    return replace(order, cover=cover, shaft=shaft, strokes=of.strokes, **unsaid)
 
 
 ONE_TURN = ("diagrams", "engine")

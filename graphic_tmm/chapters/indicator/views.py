@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
+from graphic_tmm.chapters.indicator.diagram import NAMES
 from graphic_tmm.chapters.indicator.ink import draw_indicator_ink
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder
 from graphic_tmm.chapters.indicator.record import BESIDE
+from graphic_tmm.chapters.indicator.stretches import indexed
 from graphic_tmm.chapters.indicator.task import VIEW
 from graphic_tmm.chapters.indicator.words import called
 from graphic_tmm.drawn import Drawn
@@ -28,23 +32,28 @@ def indicator_views(drawn: Drawn, lettered: bool, by: str) -> list[Drawing]:
         return []
     scales = BESIDE.on(drawn).scales
     return [
-        _view(drawn, one, mu, lettered, by) for one, mu in zip(cylinder.every, scales, strict=True)
+        _view(drawn, some, mu, lettered, by)
+        for some, mu in zip(cylinder.diagrams, scales, strict=True)
     ]
 
 
-def _view(drawn: Drawn, cylinder: Cylinder, mu: Mark, lettered: bool, by: str) -> Drawing:
-    """Return the diagram of a cylinder; ``mu``: the scale of its base."""
-    language, indicator = drawn.scene.language, cylinder.indicator
+def _view(drawn: Drawn, some: Sequence[Cylinder], mu: Mark, lettered: bool, by: str) -> Drawing:
+    """Return the diagram of some cylinders; ``mu``: the scale of its base."""
+    language, indicator = drawn.scene.language, some[0].indicator
     names = [escape(name) for name in drawn.names[: drawn.project.count]]
     axes = (on_axis("p", unit("Pa", language)), on_axis("S", unit("m", language)))
     sides = indicator.sides
     means = {m: symbol(m.name, language) for m in (side.mean for side in sides) if m is not None}
     several = sides if len(sides) > 1 else ()
-    curves = {side.curve: symbol(side.pressure.name, language) for side in several}
+    pistons = {one.tag: one.indicator for one in some} if len(some) > 1 else {"": indicator}
+    sign = indicator.tag.replace(" ", "") if len(some) > 1 else some[0].tag
+    curves = {
+        side.curve: symbol(indexed("p", NAMES[side.name] + sign), language) for side in several
+    }
     name = indicator.chart.view
     title = called(name, speaking(language)) or captions(language)[VIEW]
-    on = subject(drawn, title, by, name=f"{VIEW}-{cylinder.tag}" if cylinder.tag else "")
-    view = draw_indicator_ink(on, indicator, names, axes, means, curves)
+    on = subject(drawn, title, by, name="-".join((VIEW, *indicator.tag.split())))
+    view = draw_indicator_ink(on, pistons, names, axes, means, curves)
     scales = (drawn.scales[name], Scale(mu.name, drawn.value(mu), mu.unit))
     told = ", ".join(mu_text(scale, language) for scale in scales)
     return with_caption(view, on, lettered, told)

@@ -15,12 +15,17 @@ CAPTIONS: dict[str, str] = {
 
 
 _OF_CYLINDER = said("Indicator diagram of cylinder {point}")
+_OF_CYLINDERS = said("Indicator diagram of cylinders {points}")
 
 
 def called(view: str, speech: Speech) -> str:
     """Return what the diagram of one of several cylinders is called; "" for other views."""
-    kind, _, point = view.partition(" ")
-    return speech(_OF_CYLINDER, point=point) if kind == VIEW and point else ""
+    kind, _, points = view.partition(" ")
+    if kind != VIEW or not points:
+        return ""
+    if " " in points:
+        return speech(_OF_CYLINDERS, points=points.replace(" ", ", "))
+    return speech(_OF_CYLINDER, point=points)
 
 
 WORDS = Named(

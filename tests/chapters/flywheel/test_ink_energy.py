@@ -33,7 +33,9 @@ def view(which: str, lettered: bool = True) -> Drawing:
     log = work.project.construction
     if which == "indicator":
         made = flywheel().cylinder.indicator
-        return finished(draw_indicator_ink(Subject(log, work.reading, "X"), made, names), lettered)
+        return finished(
+            draw_indicator_ink(Subject(log, work.reading, "X"), {"": made}, names), lettered
+        )
     second = flywheel().energy_mass
     assert second is not None
     figures = ("ab = 1", "ψ_{1} = 2°", "ψ_{2} = 3°")

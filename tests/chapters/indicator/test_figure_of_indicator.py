@@ -25,7 +25,7 @@ def assert_indicator(work: Drawn) -> None:
     made, project = INDICATOR_PLAN.on(work).indicator, work.project
     means = {side.mean: side.name for side in made.sides if side.mean is not None}
     names, log = project.names[: project.count], work.construction
-    view = draw_indicator_ink(Subject(log, work.reading, "X"), made, names, means=means)
+    view = draw_indicator_ink(Subject(log, work.reading, "X"), {"": made}, names, means=means)
     assert_read_off_the_log(log, [finished(view)])
     levels = [stroke for stroke in view.strokes if stroke.part == "mean"]
     assert len(levels) == len(means)
