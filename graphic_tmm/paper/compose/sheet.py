@@ -98,7 +98,7 @@ def placed(
         return None
     found, (width, height) = cut.curves(), cut.size
     for shorter in (0, 1):
-        cuts = tree(found, *(side - 1 - shorter for side in (found.across, found.down)))
+        cuts = tree(found, *(side - 1 - shorter for side in found.row))
         least = cuts and need(cuts, cut.units, cut.ways, gap, cut.grid)
         if least and least.width <= width + 1e-6 and least.height <= height + 1e-6:
             break

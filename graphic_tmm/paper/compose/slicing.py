@@ -13,6 +13,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 import numpy as np
+from numpy.lib.stride_tricks import as_strided
 
 GRID = 2.0
 """The grid of the curves, mm."""
@@ -42,22 +43,54 @@ class Cut(NamedTuple):
 Tree = Cut | Leaf
 
 
-class Curves(NamedTuple):
-    """The curves of all runs of leaves: heights and widths by first leaf and length, in steps of the grid."""
+class Row(NamedTuple):
+    """How both curves of a run stand in one row of numbers: heights by width, then widths from the top down.
 
-    heights: np.ndarray
-    widths: np.ndarray
+    Heights fall to a bound of 0, widths rise from one: each curve is read off the other from left to right.
+    """
+
+    across: int
+    down: int
+
+    @property
+    def heights(self) -> slice:
+        """Where the heights stand, by width."""
+        return slice(1, self.across + 1)
+
+    @property
+    def widths(self) -> slice:
+        """Where the widths stand, by height, the greatest first."""
+        return slice(self.across + 2, self.across + 2 + self.down)
+
+    def empty(self, *shape: int) -> np.ndarray:
+        """Return rows in which nothing fits, with their bounds."""
+        found = np.full((*shape, self.across + self.down + 3), NONE, dtype=np.int16)
+        found[..., self.across + 1] = 0
+        return found
+
+    def ranks(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return, by place in a row, the number of the other curve from there on, and how far that goes."""
+        width, height = np.arange(self.across), np.arange(self.down)[::-1]
+        other = np.concatenate([width, [NONE, NONE], height, [0]]).astype(np.int16)
+        return other, np.where(np.arange(len(other)) > self.across, *self).astype(np.int16)
+
+
+class Curves(NamedTuple):
+    """The curves of all runs of leaves by length and first leaf, in steps of the grid."""
+
+    runs: np.ndarray
+    row: Row
     below: tuple[Below, ...]
 
     @property
-    def across(self) -> int:
-        """How many widths there are."""
-        return int(self.heights.shape[2])
+    def heights(self) -> np.ndarray:
+        """The least height of a run at each width."""
+        return self.runs[..., self.row.heights]
 
     @property
-    def down(self) -> int:
-        """How many heights there are."""
-        return int(self.widths.shape[2])
+    def widths(self) -> np.ndarray:
+        """The least width of a run at each height."""
+        return self.runs[..., self.row.widths][..., ::-1]
 
 
 def grid_of(leaves: int) -> float:
@@ -87,45 +120,36 @@ def curves(leaves: Sequence[np.ndarray], height: int, below: Sequence[Below] = (
 
     ``below``: pairs of leaves, in order, of which the second stands below the first.
     """
-    count, wide = len(leaves), len(leaves[0])
-    heights = np.full((count + 1, count, wide), NONE, dtype=np.int16)
-    widths = np.full((count + 1, count, height + 1), NONE, dtype=np.int16)
-    heights[1] = leaves
-    widths[1] = _inverse(heights[1], height + 1)
+    count, row = len(leaves), Row(len(leaves[0]), height + 1)
+    runs, ranks = row.empty(count + 1, count), row.ranks()
+    runs[1, :, row.heights] = leaves
+    runs[1, :, row.widths] = _other(runs[1], *ranks)[:, : row.down]
+    long, one, step = runs.strides
+    by_last = as_strided(runs[0, 1:], runs.shape, (long - one, one, step), writeable=False)
     for length in range(2, count + 1):
-        runs = count - length + 1
-        down, above = np.empty((2, runs, wide), dtype=np.int16)
-        across, beside = np.empty((2, runs, height + 1), dtype=np.int16)
-        down.fill(NONE)
-        across.fill(NONE)
-        for k in range(1, length):
-            second = slice(k, k + runs)
-            np.add(heights[k, :runs], heights[length - k, second], out=above)
-            np.minimum(down, above, out=down)
-            np.add(widths[k, :runs], widths[length - k, second], out=beside)
-            for a, b in below:
-                beside[max(b - length + 1, 0, a - k + 1) : max(min(a, b - k) + 1, 0)] = NONE
-            np.minimum(across, beside, out=across)
-        heights[length, :runs] = np.minimum(down, _inverse(across, wide))
-        widths[length, :runs] = np.minimum(across, _inverse(down, height + 1))
-    return Curves(heights, widths, tuple(below))
+        firsts = count - length + 1
+        sums = runs[1:length, :firsts] + by_last[length - 1 : 0 : -1, length - 1 :]
+        for a, b in below:
+            for first in range(max(b - length + 1, 0), min(a + 1, firsts)):
+                sums[a - first : b - first, first, row.widths] = NONE
+        least = np.minimum.reduce(sums)
+        other = _other(least, *ranks)
+        for own, read in ((row.widths, other[:, : row.down]), (row.heights, other[:, row.down :])):
+            np.minimum(least[:, own], read, out=runs[length, :firsts, own])
+    return Curves(runs, row, tuple(below))
 
 
-def _inverse(found: np.ndarray, size: int) -> np.ndarray:
-    """Return, for curves that fall, the least place at which each is no higher than 0 … size − 1.
+def _other(rows: np.ndarray, ranks: np.ndarray, most: np.ndarray) -> np.ndarray:
+    """Return, by rows, the widths that the heights give, from the top down, and the heights of the widths.
 
-    Read backward, a curve rises from 0 to ``size``; the rise before a place is the number of heights whose
-    least place it is.
+    Where a curve goes from one number to the next, the other one stays for as many places.
     """
-    runs, places = found.shape
-    rising = np.empty((runs, places + 2), dtype=found.dtype)
-    rising[:, 0], rising[:, -1] = 0, size
-    np.minimum(found[:, ::-1], size, out=rising[:, 1:-1])
-    rises = (rising[:, 1:] - rising[:, :-1]).ravel()
-    (at,) = rises.nonzero()
-    least = (places - at % (places + 1)).astype(found.dtype)
-    least[least == places] = NONE
-    return np.asarray(least.repeat(rises[at]).reshape(runs, size))
+    flat, (runs, length) = rows.ravel(), rows.shape
+    at = (flat[1:] != flat[:-1]).nonzero()[0]
+    place = at % length
+    end = most[place]
+    times = np.abs(np.minimum(flat[at], end) - np.minimum(flat[at + 1], end))
+    return np.asarray(ranks[place].repeat(times).reshape(runs, length - 3))
 
 
 def tree(found: Curves, width: int, height: int) -> Tree | None:

@@ -7,7 +7,7 @@ from functools import lru_cache
 from itertools import accumulate, pairwise
 from typing import NamedTuple
 
-from graphic_tmm.paper.drawing import Drawing, Stand
+from graphic_tmm.paper.drawing import Drawing, Heading, Stand
 from graphic_tmm.paper.headings import boxes, room
 from graphic_tmm.paper.packing import Box, bounds
 
@@ -87,14 +87,17 @@ def units_of(outlines: Sequence[Outline], chosen: Iterable[int]) -> list[Unit]:
 
 def ways_of(unit: Unit, gap: float) -> Sequence[Shape]:
     """Return the ways to set the boxes of a unit in rows, with room for the heading above the first."""
-    found, heading = shapes(unit.sizes, gap), unit.stand.heading
+    return _ways(unit.sizes, unit.stand.heading, gap)
+
+
+@lru_cache(maxsize=4096)
+def _ways(sizes: tuple[Sized, ...], heading: Heading | None, gap: float) -> Sequence[Shape]:
+    found = shapes(sizes, gap)
     if heading is None:
         return found
     made = list[Shape]()
     for shape in found:
-        first = sum(width for width, _, _ in unit.sizes[: shape.rows[0]]) + gap * (
-            shape.rows[0] - 1
-        )
+        first = sum(width for width, _, _ in sizes[: shape.rows[0]]) + gap * (shape.rows[0] - 1)
         wide, high = room(heading, first)
         made.append(Shape(max(shape.width, wide), shape.height + high, shape.rows, (0.0, high)))
     return made
@@ -110,7 +113,6 @@ def boxes_of(places: Mapping[int, complex], outlines: Sequence[Outline]) -> list
     return [box for _, box, _ in there] + [box for _, _, box in boxes(there)]
 
 
-@lru_cache(maxsize=4096)
 def shapes(sizes: tuple[Sized, ...], gap: float) -> tuple[Shape, ...]:
     """Return the ways to set boxes in rows that are worth it, the widest first: in order, as even as can be."""
     found: list[Shape] = []
