@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cached_property, partial
 
 from graphic_tmm.board.operations.formulas import to_board, total
 from graphic_tmm.chapters.cam import formulas as f
@@ -53,9 +53,8 @@ class CamPage(Page[Cam]):
 
     def views(self) -> list[Drawing]:
         """Return the scheme, the diagrams, the profile."""
-        return readable(
-            self.drawn, lambda held: [*scheme_views(held, True), *cam_views(held, True)]
-        )
+        draws = (partial(draw, lettered=True) for draw in (scheme_views, cam_views))
+        return readable(self.drawn, *draws)
 
     def concludes(self) -> Iterator[Runs]:
         """Yield what the limits of the cam come to; those that are passed are warnings."""

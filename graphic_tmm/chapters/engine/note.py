@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from functools import partial
 from itertools import pairwise
 
 from graphic_tmm.board.record import Mark
@@ -162,9 +163,8 @@ class EnginePage(GasPage[Engine]):
 
     def views(self) -> list[Drawing]:
         """Return triangles of forces, rotating vectors, the transfer of forces."""
-        return readable(
-            self.drawn, lambda held: [*engine_views(held, True), *transfer_views(held, True)]
-        )
+        draws = (partial(draw, lettered=True) for draw in (engine_views, transfer_views))
+        return readable(self.drawn, *draws)
 
     @property
     def inertia(self) -> Symbol:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Iterator, Sequence
+from functools import partial
 from typing import TypeVar
 
 from graphic_tmm.chapters.flywheel.plan import Flywheel
 from graphic_tmm.chapters.flywheel.record import BESIDE, Aside
 from graphic_tmm.chapters.flywheel.task import ENERGY_MASS, VIEWS
-from graphic_tmm.chapters.flywheel.views import flywheel_views
+from graphic_tmm.chapters.flywheel.views import FIGURES
 from graphic_tmm.chapters.indicator.note import GasPage
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.table import kinematic_columns
@@ -271,7 +272,7 @@ class FlywheelPage(SteadyPage[Flywheel]):
 
     def views(self) -> list[Drawing]:
         """Return graphs, the energy-mass diagram, the rim."""
-        return readable(self.drawn, lambda held: flywheel_views(held, True))
+        return readable(self.drawn, *(partial(draw, lettered=True) for draw in FIGURES))
 
 
 NOTE = Noted(FlywheelPage)

@@ -95,7 +95,9 @@ def _tables(drawn: Drawn, lettered: bool) -> list[Drawing]:
     return [told, results_of(drawn, single(flywheel_results(drawn)))]
 
 
-flywheel_views = Pieces((_graph_views, _sketch_views, _tables))
+FIGURES = (_graph_views, _sketch_views)
+"""What draws the views of the flywheel that are no tables."""
+flywheel_views = Pieces((*FIGURES, _tables))
 """The views of the flywheel, none if the scene asks for none."""
 
 
