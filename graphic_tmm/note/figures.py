@@ -74,21 +74,23 @@ def _readable(drawn: Drawn, draw: Callable[[Drawn], Iterable[Drawing]]) -> Itera
 
 
 def _wanted(tried: Mapping[float, Drawing]) -> float | None:
-    """Return in which letters a view has to be drawn, too, before the least are known; None if they are."""
-    least = {times: least_letter([view]) for times, view in tried.items()}
-    read = min((times for times in least if least[times] >= SPARE * LEGIBLE), default=math.inf)
-    larger = (times for times in LETTERED if times > max(tried))
-    if read == math.inf and (wanted := next(larger, None)) is not None:
-        return wanted
-    due, end = min(SPARE * LEGIBLE, max(least.values())), min(read, max(tried))
-    left = (times for times in LETTERED if times not in tried and times < end)
-    return next((times for times in left if _at_most(tried, times) >= due - TOUCH), None)
+    """Return in which letters a view has to be drawn, too, before the least are known; None if they are.
+
+    What cannot be read in any is drawn in all.
+    """
+    read = [times for times, one in tried.items() if least_letter([one]) >= SPARE * LEGIBLE]
+    left = [
+        times for times in LETTERED if times not in tried and times < min(read, default=math.inf)
+    ]
+    if read:
+        return next((t for t in left if _at_most(tried, t) >= SPARE * LEGIBLE - TOUCH), None)
+    return next((times for times in left if times > max(tried)), next(iter(left), None))
 
 
 def _at_most(tried: Mapping[float, Drawing], times: float) -> float:
     """Return how high the least letter is at most on the page if a view is drawn in smaller letters, mm.
 
-    Nothing of it shrinks more than they do.
+    Nothing of it shrinks more than they do; what is lettered in one size only is no worse in larger letters.
     """
     known = min(one for one in tried if one > times)
     view, share = _untitled(tried[known]), times / known
