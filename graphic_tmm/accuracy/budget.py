@@ -176,8 +176,14 @@ def choose(
     SceneError
         If none does; the message names the best, and what stands in its way.
     """
-    measured = Measured(scene)
-    taken = cheapest(measured, percent, tell)
+    return choose_from(Measured(scene), percent, tell, nearest=nearest)
+
+
+def choose_from(
+    measured: Measured, percent: float, tell: Tell | None = None, *, nearest: bool = False
+) -> Taken:
+    """Return the same of ways that are measured once for several budgets; see `choose`."""
+    taken, scene = cheapest(measured, percent, tell), measured.scene
     if taken is not None:
         return taken
     if not measured.ways.every:

@@ -9,7 +9,7 @@ from itertools import pairwise
 import pytest
 from support.drawn_at_random import errors, scenes
 
-from graphic_tmm.accuracy.budget import Measured, Taken, cheapest, choose, nearest_way
+from graphic_tmm.accuracy.budget import Measured, Taken, cheapest, choose, choose_from, nearest_way
 from graphic_tmm.accuracy.drawing import References, draw, pinned
 from graphic_tmm.accuracy.measure import work_of
 from graphic_tmm.accuracy.quantities import quantities
@@ -95,7 +95,8 @@ def test_no_error_that_is_not_known_is_small() -> None:
 
 def kept(k: int, budgets: tuple[float, ...], trials: int) -> list[bool]:
     """Whether what claims to keep within each budget does; none costs more than a tighter one."""
-    taken = [(percent, choose(scene(k), percent, nearest=True)) for percent in budgets]
+    measured = Measured(scene(k))
+    taken = [(percent, choose_from(measured, percent, nearest=True)) for percent in budgets]
     claimed = [(percent, one) for percent, one in taken if claims(one)]
     minutes = [one.minutes for _, one in claimed]
     assert minutes == sorted(minutes)
