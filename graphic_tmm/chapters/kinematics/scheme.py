@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Hashable, Iterator
 from dataclasses import replace
-from typing import NamedTuple
+from functools import partial
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -82,17 +83,41 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
     """
     if scene.mechanism is None:
         return None
-    pose = _posed(scene)
-    unscaled = _reading(pose, 1.0)
-    spots = np.concatenate([np.ravel(unscaled[mark])[:1] for mark in _marks(pose.plans)])
-    wide, high = np.ptp(spots.real), np.ptp(spots.imag)
+    pose = _kept(scene, POSED, partial(_posed, scene))
+    wide, high = _kept(scene, (POSED, "span"), partial(_span, pose))
     least = standard_length(max(wide / room.real, high / room.imag, 1e-9), 1.0)
     for mu in (one for one in (*LENGTHS, 10 * least) if one >= least):
-        strokes = _strokes(pose, mu)
-        left, low, right, top = bounds(Drawing("scheme", "", tuple(strokes)))
-        if right - left <= room.real and top - low <= room.imag:
+        across, up = _kept(scene, (POSED, "inked", mu), partial(_inked, pose, mu))
+        if across <= room.real and up <= room.imag:
             break
-    return Scheme(_drawing(pose, mu), mu, tuple(_notes(scene.mechanism, scene.language)))
+    view = _kept(scene, (POSED, "drawn", mu), partial(_drawing, pose, mu))
+    return Scheme(view, mu, tuple(_notes(scene.mechanism, scene.language)))
+
+
+POSED = "posed"
+"""What is kept beside a scene: its mechanism in that position, how large that is, and drawn, by μ."""
+T = TypeVar("T")
+
+
+def _kept(scene: Scene, key: Hashable, make: Callable[[], T]) -> T:
+    """Return what is kept beside a scene, made once."""
+    if key not in scene.cache:
+        scene.cache[key] = make()
+    found: T = scene.cache[key]
+    return found
+
+
+def _span(pose: Pose) -> tuple[float, float]:
+    """Return how far points lie apart, m."""
+    unscaled = _reading(pose, 1.0)
+    spots = np.concatenate([np.ravel(unscaled[mark])[:1] for mark in _marks(pose.plans)])
+    return float(np.ptp(spots.real)), float(np.ptp(spots.imag))
+
+
+def _inked(pose: Pose, mu: float) -> tuple[float, float]:
+    """Return how wide and high the lines are, mm."""
+    left, low, right, top = bounds(Drawing("scheme", "", tuple(_strokes(_ink(pose, mu)))))
+    return right - left, top - low
 
 
 def _notes(mechanism: Mechanism, language: str) -> Iterator[str]:
@@ -233,15 +258,14 @@ def _ink(pose: Pose, mu: float) -> PositionsInk:
     return PositionsInk(log, reading, reaches_at(pose.plans, log, reading, mu), [0])
 
 
-def _strokes(pose: Pose, mu: float) -> list[Ink]:
-    ink = _ink(pose, mu)
+def _strokes(ink: PositionsInk) -> list[Ink]:
     return [*ink.guides(), *ink.heavy(0)]
 
 
 def _drawing(pose: Pose, mu: float) -> Drawing:
     """Return the mechanism with its letters, the numbers of its links, the sense of the crank, what acts."""
     made, ink = pose.plans, _ink(pose, mu)
-    strokes: list[Ink] = [*ink.guides(), *ink.heavy(0)]
+    strokes = _strokes(ink)
     wanted = ink.letters((ink.frame.name, *ink.names), 0, SIZES.point)
     for arrow in ink.arrows(made.pairs, made.positions, 0, SIZES.point):
         strokes += arrow.strokes
