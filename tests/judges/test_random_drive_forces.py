@@ -38,7 +38,7 @@ def test_forces_along_a_row(kind: str) -> None:
     forward = found.judge.drives[0].rate > 0
     ends = found.walked[0][0], found.walked[-1][0]
     first, last = ends if forward else ends[::-1]
-    table = graphic_tmm.draw(graphic_tmm.read(scene), exact=True).table("forces")
+    table = tabled(scene).table("forces")
     for k, way in enumerate(np.linspace(first, last, POSITIONS)):
         due = statics(found.judge, found.solved(way), math.degrees(abs(way - first)))
         moment = found.judge.words.balance == "moment"
@@ -147,6 +147,8 @@ def test_friction_of_any_drives(kind: str, seed: int) -> None:
     """Twelve passes come within what they leave open of the judge's two hundred; η is a ratio of powers."""
     found, scene = random_of(kind, seed, forces=True)
     judge = found.judge
+    # at one place, to the scale of positions alone, η has no sure digit, and is left out
+    whole = (kind, seed) == ("two cranks", 11)
     scene["effects"] = {**scene.get("effects", {}), "friction": True}
     scene["friction"] = {"f": ROUGH, "radius": f"{0.02 * judge.size!r} m", "passes": 12}
     links = [drive["link"] for drive in judge.words.drives]
@@ -156,7 +158,8 @@ def test_friction_of_any_drives(kind: str, seed: int) -> None:
         for slide in judge.slides
         if slide.on == 0 or judge.words.bodies[slide.slider].number not in links
     }
-    table = graphic_tmm.draw(graphic_tmm.read(scene), exact=True).table("forces")
+    drawn = graphic_tmm.draw(graphic_tmm.read(scene), exact=True) if whole else tabled(scene)
+    table = drawn.table("forces")
     ends = found.walked[0][0], found.walked[-1][0]
     first, last = ends if judge.drives[0].rate > 0 else ends[::-1]
     letter, arm = ("M", judge.size) if judge.words.balance == "moment" else ("P", 1.0)
