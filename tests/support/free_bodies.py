@@ -11,7 +11,6 @@ float64. Inside, lengths are divided by the size; outside all is SI, angles in r
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -24,22 +23,12 @@ from support.scene_words import Words, si
 
 PI = 4 * np.arctan(np.longdouble(1))
 FULL = 2 * math.pi
-Slopes = dict[int, tuple[Any, Any, Any]]
-"""Of an equation: its derivatives by x, y, θ of the bodies by their place."""
 Poses = Sequence[tuple[complex, float]]
 """Of the moving links in the scene's order: origin (m) and angle (rad)."""
 
 
 class UnsolvedError(Exception):
     """The loops do not close, or are singular there."""
-
-
-class Row(NamedTuple):
-    """An equation: its value, its slopes, its second derivative where no link speeds up."""
-
-    value: Any
-    slopes: Slopes
-    quick: Any
 
 
 class Spot(NamedTuple):
@@ -87,17 +76,17 @@ class State:
     """Bodies where they stand, the frame first: origins, angles, their two derivatives; sizes, rad, s."""
 
     judge: Judge
-    z: Sequence[Any]
-    t: Sequence[Any]
-    dz: Sequence[Any]
-    w: Sequence[Any]
-    ddz: Sequence[Any]
-    e: Sequence[Any]
+    z: Any
+    t: Any
+    dz: Any
+    w: Any
+    ddz: Any
+    e: Any
 
     @cached_property
-    def units(self) -> list[Any]:
+    def units(self) -> Any:
         """The direction of each body's own x axis."""
-        return [unit(t) for t in self.t]
+        return unit(self.t)
 
     def arm(self, spot: Spot) -> Any:
         """From the body's origin."""
@@ -108,7 +97,7 @@ class State:
 
     @cached_property
     def jacobian(self) -> Any:
-        return _matrix(self.judge.rows(self, [0.0] * len(self.judge.drives)), len(self.z))
+        return self.judge.rows.slopes(self)
 
     @cached_property
     def condition(self) -> float:
@@ -148,9 +137,7 @@ class State:
 
 def unit(angle: Any) -> Any:
     """e^{iθ} in the digits of θ."""
-    if isinstance(angle, np.longdouble):
-        return np.cos(angle) + 1j * np.sin(angle)
-    return cmath.rect(1.0, angle)
+    return np.cos(angle) + 1j * np.sin(angle)
 
 
 def _dot(n: Any, d: Any) -> Any:
@@ -159,6 +146,74 @@ def _dot(n: Any, d: Any) -> Any:
 
 def _cross(n: Any, d: Any) -> Any:
     return (n.conjugate() * d).imag
+
+
+class Rows:
+    """All equations, those of one kind at once: how far points lie from others along a direction, turns.
+
+    ``far``: tips, roots, lines (a body and a direction, rad), and what is due. ``turns``: bodies, those from
+    which they turn, and what is due. Each knows its number.
+    """
+
+    def __init__(
+        self,
+        far: Mapping[int, tuple[Spot, Spot, Spot, Any]],
+        turns: Mapping[int, tuple[int, int | None, Any]],
+        bodies: int,
+    ) -> None:
+        self.count, self.bodies = len(far) + len(turns), bodies
+        self.far, self.turns = np.array([*far]), np.array([*turns])
+        tips, roots, lines, due = zip(*far.values(), strict=True)
+        self.tip, self.root, self.line = (
+            np.array([spot.body for spot in some]) for some in (tips, roots, lines)
+        )
+        self.first, self.other = (np.array([s.own for s in some]) for some in (tips, roots))
+        self.along = unit(np.array([spot.own for spot in lines], np.longdouble))
+        self.due = np.zeros(self.count, np.longdouble)
+        self.due[self.far] = due
+        body, on, self.due[self.turns] = zip(*turns.values(), strict=True) if turns else ((),) * 3
+        self.body = np.array(body, int)
+        self.on = np.array([0 if k is None else k for k in on], int)
+        self.held = np.array([k is not None for k in on], np.longdouble)
+
+    def _lie(self, state: State) -> tuple[Any, Any, Any, Any]:
+        """The directions, how far tips lie from roots, both from the origins of their bodies."""
+        first, other = self.first * state.units[self.tip], self.other * state.units[self.root]
+        n = state.units[self.line] * self.along
+        return n, state.z[self.tip] + first - state.z[self.root] - other, first, other
+
+    def values(self, state: State) -> Any:
+        """By how much each is off where the bodies stand, coordinates of drives at 0."""
+        found = -self.due
+        n, d, _, _ = self._lie(state)
+        found[self.far] += _dot(n, d)
+        found[self.turns] += state.t[self.body] - self.held * state.t[self.on]
+        return found
+
+    def slopes(self, state: State) -> Any:
+        """Their derivatives by x, y, θ of the moving bodies."""
+        n, d, first, other = self._lie(state)
+        found = np.zeros((self.count, self.bodies, 3), np.longdouble)
+        for body, sign, turn in (
+            (self.tip, 1, _dot(n, 1j * first)),
+            (self.root, -1, -_dot(n, 1j * other)),
+        ):
+            found[self.far, body] += np.stack([sign * n.real, sign * n.imag, turn], axis=1)
+        found[self.far, self.line, 2] += _cross(n, d)
+        found[self.turns, self.body, 2] += 1
+        found[self.turns, self.on, 2] -= self.held
+        return found[:, 1:].reshape(self.count, -1)
+
+    def quick(self, state: State) -> Any:
+        """Their second derivatives where no link speeds up."""
+        n, d, first, other = self._lie(state)
+        wi, wk, w = (state.w[body] for body in (self.tip, self.root, self.line))
+        rate = state.dz[self.tip] + 1j * wi * first - state.dz[self.root] - 1j * wk * other
+        found = np.zeros(self.count, np.longdouble)
+        found[self.far] = (
+            _dot(n, wk**2 * other - wi**2 * first) + 2 * w * _cross(n, rate) - w**2 * _dot(n, d)
+        )
+        return found
 
 
 class Judge:
@@ -183,6 +238,7 @@ class Judge:
         unknown = 3 * (len(words.bodies) - 1)
         if 2 * (len(self.pins) + len(self.slides)) + len(self.drives) != unknown:
             raise UnsolvedError("there are not as many equations as unknowns")
+        self.rows = self._rows()
 
     def _spot(self, body: int, letter: str) -> Spot:
         return self._at(body, self.words.bodies[body].points[letter])
@@ -241,46 +297,52 @@ class Judge:
         side = -1 if words.bodies[k].slides[0].get("side") == "-" else 1
         return Drive("rod", self._spot(k, tip), self._spot(slide.on, root), line, side, rate, gain)
 
-    def rows(self, state: State, at: Sequence[Any]) -> list[Row]:
-        """All equations where the bodies stand, of the coordinates of the drives (m, rad)."""
-        found = []
+    def _rows(self) -> Rows:
+        """All equations, those of the drives last."""
+        far: dict[int, tuple[Spot, Spot, Spot, Any]] = {}
+        turns: dict[int, tuple[int, int | None, Any]] = {}
         for _, first, other in self.pins:
-            found += [_projected(state, first, other, Spot(0, a)) for a in (PI * 0, PI / 2)]
+            for angle in (PI * 0, PI / 2):
+                far[len(far)] = first, other, Spot(0, angle), 0
         for slide in self.slides:
-            turn = state.t[slide.slider] - state.t[slide.on] - slide.turn
-            found.append(Row(_part(turn), {slide.slider: (0, 0, 1), slide.on: (0, 0, -1)}, 0))
+            turns[len(far) + len(turns)] = slide.slider, slide.on, slide.turn
             across = Spot(slide.on, slide.along + PI / 2)
             origin, through = Spot(slide.slider, 0 * slide.through), Spot(slide.on, slide.through)
-            row = _projected(state, origin, through, across)
-            found.append(row._replace(value=row.value - slide.offset))
-        for drive, coordinate in zip(self.drives, at, strict=True):
+            far[len(far) + len(turns)] = origin, through, across, slide.offset
+        for drive in self.drives:
             if drive.kind == "turn":
                 own = drive.tip.own - drive.root.own
-                turn = state.t[drive.tip.body] + np.arctan2(own.imag, own.real) - coordinate
-                found.append(Row(_part(turn), {drive.tip.body: (0, 0, 1)}, 0))
+                due = -np.arctan2(own.imag, own.real)
+                turns[len(far) + len(turns)] = drive.tip.body, None, due
             else:
-                row = _projected(state, drive.tip, drive.root, drive.line)
-                way = drive.sense * coordinate / self.size
-                found.append(row._replace(value=row.value - way))
-        return found
+                far[len(far) + len(turns)] = drive.tip, drive.root, drive.line, 0
+        return Rows(far, turns, len(self.words.bodies))
+
+    @cached_property
+    def scaled(self) -> Any:
+        """By how much coordinates of drives (m, rad) count in their equations."""
+        return np.array([1.0 if d.kind == "turn" else d.sense / self.size for d in self.drives])
 
     def solve(self, at: Sequence[float], near: Poses, *, exact: bool = True) -> State:
         """The state at coordinates of the drives (m, rad), in the assembly that is nearest to poses."""
         real, plain = (np.longdouble, np.clongdouble) if exact else (float, complex)
-        still = [plain(0)] * (len(near) + 1), [real(0)] * (len(near) + 1)
-        z = [plain(0), *(plain(place / self.size) for place, _ in near)]
-        t = [real(0), *(real(angle) for _, angle in near)]
+        still = np.zeros(len(near) + 1, plain), np.zeros(len(near) + 1, real)
+        z = np.array([0, *(plain(place / self.size) for place, _ in near)], plain)
+        t = np.array([0, *(angle for _, angle in near)], real)
         longest, more = math.inf, 3 if exact else 0
         for _ in range(40):
             state = State(self, z, t, *still, *still)
-            rows = self.rows(state, at)
-            step = solved(_matrix(rows, len(z)), -np.array([row.value for row in rows])[:, None])
+            off = self.rows.values(state)
+            off[-len(self.drives) :] -= self.scaled * np.array(at, np.longdouble)
+            off[self.rows.turns] = _part(off[self.rows.turns])
+            step = solved(state.jacobian, -off[:, None])
             longest = float(np.abs(step).max())
             if not longest < 10.0:
                 break
             x, y, turn = step.reshape(-1, 3).T
-            z = [z[0], *(a + plain(b) + 1j * plain(c) for a, b, c in zip(z[1:], x, y, strict=True))]
-            t = [t[0], *(a + real(b) for a, b in zip(t[1:], turn, strict=True))]
+            z, t = z.copy(), t.copy()
+            z[1:] += x + 1j * y
+            t[1:] += turn.astype(real)
             if longest < 1e-9:
                 more -= 1
             if more < 0:
@@ -290,49 +352,21 @@ class Judge:
     def _moving(self, state: State) -> State:
         """The same with velocities and accelerations."""
         right = np.zeros((len(state.jacobian), 1), np.longdouble)
-        scaled = [
-            np.array([1.0 if d.kind == "turn" else d.sense / self.size for d in self.drives]) * rate
+        rates, gains = (
+            self.scaled * rate
             for rate in ([d.rate for d in self.drives], [d.gain for d in self.drives])
-        ]
-        right[-len(self.drives) :, 0] = scaled[0]
+        )
+        right[-len(self.drives) :, 0] = rates
         dz, w = _parts(solved(state.jacobian, right))
         fast = State(self, state.z, state.t, dz, w, *(state.dz, state.w))
-        rows = self.rows(fast, [0.0] * len(self.drives))
-        right = -np.array([row.quick for row in rows], np.longdouble)[:, None]
-        right[-len(self.drives) :, 0] += scaled[1]
+        right = -self.rows.quick(fast)[:, None]
+        right[-len(self.drives) :, 0] += gains
         return State(self, state.z, state.t, dz, w, *_parts(solved(state.jacobian, right)))
 
 
-def _part(turn: Any) -> Any:
-    """An angle without whole turns."""
-    return turn - 2 * PI * round(float(turn) / FULL)
-
-
-def _projected(state: State, tip: Spot, root: Spot, line: Spot) -> Row:
-    """How far a point lies from another along a direction of a body."""
-    n = state.units[line.body] * unit(line.own)
-    d = state.place(tip) - state.place(root)
-    first, other, w = state.arm(tip), state.arm(root), state.w[line.body]
-    slopes: Slopes = {}
-    for body, turn, x, y in (
-        (tip.body, _dot(n, 1j * first), n.real, n.imag),
-        (root.body, -_dot(n, 1j * other), -n.real, -n.imag),
-        (line.body, _cross(n, d), 0, 0),
-    ):
-        there = slopes.get(body, (0, 0, 0))
-        slopes[body] = (there[0] + x, there[1] + y, there[2] + turn)
-    wi, wk = state.w[tip.body], state.w[root.body]
-    rate = state.dz[tip.body] + 1j * wi * first - state.dz[root.body] - 1j * wk * other
-    quick = _dot(n, wk**2 * other - wi**2 * first) + 2 * w * _cross(n, rate) - w**2 * _dot(n, d)
-    return Row(_dot(n, d), slopes, quick)
-
-
-def _matrix(rows: Sequence[Row], bodies: int) -> Any:
-    found = np.zeros((len(rows), bodies, 3), np.longdouble)
-    for row, there in zip(rows, found, strict=True):
-        for body, slope in row.slopes.items():
-            there[body] += slope
-    return found[:, 1:].reshape(len(rows), -1)
+def _part(turns: Any) -> Any:
+    """Angles without whole turns."""
+    return turns - 2 * PI * np.round(turns.astype(float) / FULL)
 
 
 def solved(matrix: Any, right: Any) -> Any:
@@ -347,6 +381,6 @@ def solved(matrix: Any, right: Any) -> Any:
     return found
 
 
-def _parts(found: Any) -> tuple[list[Any], list[Any]]:
+def _parts(found: Any) -> tuple[Any, Any]:
     x, y, turn = found.reshape(-1, 3).T
-    return [np.clongdouble(0), *(x + 1j * y)], [np.longdouble(0), *turn]
+    return np.concatenate([[0], x + 1j * y]), np.concatenate([[0], turn])
