@@ -10,7 +10,7 @@ from support.scenes import edited
 
 from graphic_tmm.note.document import Symbol, Table
 from graphic_tmm.note.section_task import given_table
-from graphic_tmm.readers.task_sheet import TaskSheet
+from graphic_tmm.readers.task_sheet import TaskSheet, given_rows
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
@@ -65,3 +65,18 @@ def test_lengths_that_the_synthesis_finds_are_not_given() -> None:
     }
     assert {"K_v", "l_{OB}", "l_{CD}"} <= told
     assert not told & {"l_{OA}", "l_{BC}"}
+
+
+def test_the_task_of_a_gripper_tells_where_its_rod_is_counted_from_and_where_forces_act() -> None:
+    """Without both nobody else could draw it."""
+    told = stated(scene("gripper"), "en")
+    assert "s is counted along x; K stands at s = 60 mm." in told
+    assert "F_3 acts at E of link 3, at 90° to the x axis." in told
+    assert "F_5 acts at D of link 5, at −90° to the x axis." in told
+
+
+def test_the_stroke_of_a_rod_is_called_by_both_its_pins() -> None:
+    """Of two cylinders a letter without an index tells neither."""
+    names = [one.symbol for one in given_rows(scene("excavator"))]
+    assert "l_{GN}" in names
+    assert "l" not in names

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Mapping
 
-from graphic_tmm.chapters.forces.kinds import Along
+from graphic_tmm.chapters.forces.kinds import AGAINST, Along
 from graphic_tmm.chapters.forces.load_diagrams import braced, letters, sizes_of, varies
 from graphic_tmm.chapters.forces.loads import Ends
 from graphic_tmm.chapters.forces.springs import constants, ends_of, numbers
-from graphic_tmm.chapters.forces.task import ASKED, Spring, Unknown
+from graphic_tmm.chapters.forces.task import ASKED, Load, Spring, Unknown
 from graphic_tmm.chapters.forces.tool import letter_of
 from graphic_tmm.chapters.indicator.given import given_of
 from graphic_tmm.chapters.indicator.given import stated as cylinders
@@ -80,6 +80,8 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         return
     _ = speaking(language)
     for letter, load in zip(letters(order.loads), order.loads, strict=True):
+        if load.point is not None and load.direction != AGAINST:
+            yield _acts(load, load.point, plain(symbol(letter, language)), language)
         if isinstance(load.direction, Along):
             yield _turning(load.direction, plain(symbol(letter, language)), language)
         if load.opposite is not None:
@@ -98,6 +100,14 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         yield _(_WEIGHT if order.gravity else _INERTIA)
     if told := wanted_positions(scene, language):
         yield told
+
+
+def _acts(load: Load, point: str, letter: str, language: str) -> str:
+    """Tell where a force acts, and how it is directed if that stays."""
+    _, at = speaking(language), {"letter": letter, "point": point, "link": str(load.link)}
+    if isinstance(load.direction, float):
+        return _(_AT_ANGLE, angle=given_figure(load.direction, language), **at)
+    return _(_AT, **at)
 
 
 def _sought(unknown: Unknown, language: str) -> str:
@@ -131,6 +141,8 @@ _SPRING = said(
     "The force {letter} = {law} pulls {first} and {last} together (where it is negative, apart); l is the "
     "length {ends}."
 )
+_AT = said("{letter} acts at {point} of link {link}.")
+_AT_ANGLE = said("{letter} acts at {point} of link {link}, at {angle}° to the x axis.")
 _ON_LINE = said(
     "{letter} is what link {other} does to link {link}; the opposite force acts on link {other}, on the same "
     "line."

@@ -64,7 +64,8 @@ def coordinates(scene: Scene, values: Sequence[float], between: str = "; ") -> G
     sweep = driven(scene.mechanism, dissect(scene.mechanism))[0].sweep
     sizes = [(one, "°") if sweep.turns else small(one, scene.language) for one in values]
     figures = between.join(given_figure(size, scene.language) for size, _ in sizes)
-    return Given(sweep.letter, figures, sizes[0][1])
+    stem, _, index = (sweep.name or sweep.letter).partition("_")
+    return Given(f"{stem}_{{{index}}}" if index else stem, figures, sizes[0][1])
 
 
 def _lengths(mechanism: Mechanism) -> Iterator[tuple[str, float]]:
@@ -171,6 +172,9 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         pair = driven(scene.mechanism, dissect(scene.mechanism))[0]
         rate = plain(symbol(pair.speed_letter, language))
         yield _(_STANDS, rate=f"{rate} = 1 {unit('1/s' if pair.sweep.turns else 'm/s', language)}")
+    if scene.mechanism is not None:
+        for pair in driven(scene.mechanism, dissect(scene.mechanism)):
+            yield from pair.stated(language)
     if isinstance(zero, Extreme):
         yield _(_ZERO, extreme=remark(f"{zero.point}: {zero.at}", language))
     if told := wanted_accelerations(scene, language):

@@ -217,6 +217,10 @@ class DrivenPair(ABC):
         """The unit of its speed; that of its acceleration is this by s."""
         return "m/s"
 
+    def stated(self, language: str) -> Iterator[str]:
+        """Tell in a sentence from where its coordinate is counted, if nothing else shows that."""
+        yield from ()
+
     def given(self, language: str) -> Iterator[Given]:
         """Yield its speed and its acceleration in its sense; what is listed by positions, as a list."""
         drive, unit, letter = self.drive, self.unit, self.speed_letter

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from graphic_tmm.board.draft import ROUNDING, Draft
@@ -21,9 +23,15 @@ from graphic_tmm.chapters.kinematics.bodies import (
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, Sizes, Uses, reach
 from graphic_tmm.chapters.kinematics.motion import Hanging, Motion, image_letter
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.language.units import small, unit
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Sweep
+from graphic_tmm.readers.task_sheet import given_figure
+
+_COUNTED = said("{letter} is counted along {guide}; {point} stands at {letter} = {size}.")
 
 
 class Slider(DrivenPair):
@@ -88,6 +96,22 @@ class Slider(DrivenPair):
         begins = frame.own[nearest(frame, self.pair, height)]
         away = (begins - slide.guide.through) * turn(-slide.guide.angle)
         return 0.0 if abs(away.real) <= ROUNDING * max(abs(away), abs(begins)) else away.real
+
+    def stated(self, language: str) -> Iterator[str]:
+        """Tell where a point of the frame stands on the line along which it is counted."""
+        slide, points = self.pair.slide, self.mechanism.frame.points
+        assert slide is not None
+        height, frame = level(self.pair, self.link, self.own), self.mechanism.frame.number
+        point = min(points, key=lambda k: abs(height - level(self.pair, frame, points[k])))
+        away = ((points[point] - slide.guide.through) * turn(-slide.guide.angle)).real
+        size, mm = small(away, language)
+        yield speaking(language)(
+            _COUNTED,
+            letter=self.sweep.letter,
+            guide=self.pair.name,
+            point=point,
+            size=f"{given_figure(size, language)} {unit(mm, language)}",
+        )
 
     def led(self, positions: Positions) -> tuple[Mark, Mark]:
         """Return the first point of the frame, and its own point."""
