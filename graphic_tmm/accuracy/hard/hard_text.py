@@ -200,7 +200,7 @@ def _about(walk: Walk, positions: Iterable[int]) -> Iterator[str]:
         else:
             farthest[place.at] = max(span.apart(place.at, at), farthest.get(place.at, 0.0))
     for at, off in farthest.items():
-        yield f"{span.value(at, language)}{_beside(walk, '±', off) if off > 0.0 else ''}"
+        yield f"{span.value(at, language)}{_aside_of(walk, '±', off) if off > 0.0 else ''}"
     yield from _spans(walk, alone) if alone else ()
 
 
@@ -211,10 +211,10 @@ def _place_name(walk: Walk, k: int) -> str:
     off = 0.0 if place is None else float(span.off(np.asarray(at), place.at))
     if place is None or not 0.0 < abs(off) < NEAR * span.offs[0]:
         return span.value(at, language)
-    return f"{span.value(place.at, language)}{_beside(walk, '+' if off > 0.0 else '−', abs(off))}"
+    return f"{span.value(place.at, language)}{_aside_of(walk, '+' if off > 0.0 else '−', abs(off))}"
 
 
-def _beside(walk: Walk, sign: str, off: float) -> str:
+def _aside_of(walk: Walk, sign: str, off: float) -> str:
     """Return how far something is from a hard place, as it stands behind that: + 10⁻³°."""
     language = walk.sheet.scene.language
     return f"{SPACE}{sign}{SPACE}{_off(off, language)}{walk.span.behind(language)}"

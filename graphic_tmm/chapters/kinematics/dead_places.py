@@ -14,7 +14,7 @@ from graphic_tmm.board.geometry import wedge
 from graphic_tmm.board.operations.instruments import meet
 from graphic_tmm.board.values import Reals, undefined
 from graphic_tmm.chapters.kinematics.bodies import PinLeg, dyads
-from graphic_tmm.chapters.kinematics.fit import place_of
+from graphic_tmm.chapters.kinematics.fit import coordinate_text
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
@@ -45,7 +45,9 @@ def dead_places(drawn: Drawn, language: str) -> Iterator[str]:
     plans, _ = KINEMATICS_PLAN.on(drawn), speaking(language)
     for closing in dyads(plans.positions.closings, VELOCITIES):
         for place in _parallel(plans.tried, closing.group.name, plans.ends):
-            yield _(PARALLEL, at=place_of(place, plans.tried.sweep), group=closing.group.name)
+            yield _(
+                PARALLEL, at=coordinate_text(place, plans.tried.sweep), group=closing.group.name
+            )
 
 
 def _parallel(survey: Survey, group: str, ends: tuple[float, float] | None) -> list[float]:

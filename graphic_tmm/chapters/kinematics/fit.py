@@ -98,16 +98,16 @@ def _refuse(passive: Passive, size: _Size, row: Reals, sweep: Sweep) -> None:
             name=size.name,
             own=_mm(size.own),
             low=_mm(kept[low]),
-            at=place_of(row[low], sweep),
+            at=coordinate_text(row[low], sweep),
             high=_mm(kept[high]),
-            there=place_of(row[high], sweep),
+            there=coordinate_text(row[high], sweep),
             off=_mm(abs(kept[far] - size.own)),
         ),
         key,
     )
 
 
-def place_of(value: float, sweep: Sweep) -> str:
+def coordinate_text(value: float, sweep: Sweep) -> str:
     """Return a coordinate of the drive: φ = 35°, s = 120 mm."""
     told = f"{value:.4g}°" if sweep.turns else f"{_mm(value)} mm"
     return f"{sweep.letter} = {told}"

@@ -43,7 +43,7 @@ class Cut(NamedTuple):
 Tree = Cut | Leaf
 
 
-class Row(NamedTuple):
+class CurveRow(NamedTuple):
     """How both curves of a run stand in one row of numbers: heights by width, then widths from the top down.
 
     Heights fall to a bound of 0, widths rise from one: each curve is read off the other from left to right.
@@ -79,7 +79,7 @@ class Curves(NamedTuple):
     """The curves of all runs of leaves by length and first leaf, in steps of the grid."""
 
     runs: np.ndarray
-    row: Row
+    row: CurveRow
     below: tuple[Below, ...]
 
     @property
@@ -120,7 +120,7 @@ def curves(leaves: Sequence[np.ndarray], height: int, below: Sequence[Below] = (
 
     ``below``: pairs of leaves, in order, of which the second stands below the first.
     """
-    count, row = len(leaves), Row(len(leaves[0]), height + 1)
+    count, row = len(leaves), CurveRow(len(leaves[0]), height + 1)
     runs, ranks = row.empty(count + 1, count), row.ranks()
     runs[1, :, row.heights] = leaves
     runs[1, :, row.widths] = _other(runs[1], *ranks)[:, : row.down]
