@@ -18,7 +18,7 @@ from graphic_tmm.mechanism.records import (
     Slide,
     shared,
 )
-from graphic_tmm.scene import mechanism, registry
+from graphic_tmm.scene import guides, registry
 from graphic_tmm.scene import mechanism as m
 from graphic_tmm.scene.checks import centres_of
 from graphic_tmm.scene.declare import build
@@ -39,13 +39,12 @@ def scene(parts: Parts, source: str) -> Scene:
     source : str
         The file they come from.
     """
-    head, frame, drive = parts.head, parts.frame, parts.drive
+    head, drive = parts.head, parts.drive
     block = parts.record("title_block")
     assert head is not None
-    links = one_body([link for link in parts.links if link is not None])
     asked = {section.name for section, _ in parts.chapter_sections}
     usual = registry.usual(asked, mechanism=drive is not None)
-    mechanism = _mechanism(parts, frame, links, drive) if frame and drive else None
+    mechanism = mechanism_of(parts)
     sheets = parts.record("sheet") or [SheetOrder(place=())]
     formats = [sheet.format for sheet in sheets]
     row = _row(drive) if drive else Row()
@@ -96,6 +95,14 @@ class _Built:
         if section.together is not None:
             return section.together(tuple(build(section.record, one) for one in said))
         return build(section.record, said, **section.joined(self))
+
+
+def mechanism_of(parts: Parts) -> Mechanism | None:
+    """Return the mechanism of sections in which no fault was found; None if they have none."""
+    links = one_body([link for link in parts.links if link is not None])
+    return (
+        _mechanism(parts, parts.frame, links, parts.drive) if parts.frame and parts.drive else None
+    )
 
 
 def _mechanism(parts: Parts, frame: m.Frame, links: list[m.Link], drive: m.Drive) -> Mechanism:
@@ -192,10 +199,10 @@ def _inertia(table: m.Link) -> float | None:
 
 def _slide(table: m.Slide, bodies: dict[int, m.Frame | m.Link], frame: int) -> Slide:
     on = frame if isinstance(table.on, str) else table.on
-    line = mechanism.guide(table.along, bodies[on].points, bodies[on].guides)
+    line = guides.guide(table.along, bodies[on].points, bodies[on].guides)
     side = None
     if table.side is not None:
-        sign = mechanism.sense(table.side, line, fixed=on == frame)
+        sign = guides.sense(table.side, line, fixed=on == frame)
         side = Side(sign, flips_at=table.flips_at)
     return Slide(on, line, table.offset, table.angle, side, table.cylinder or "")
 

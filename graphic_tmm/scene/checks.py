@@ -13,7 +13,7 @@ from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.masses import free_points
 from graphic_tmm.mechanism.records import shared
-from graphic_tmm.scene import mechanism, registry
+from graphic_tmm.scene import guides, mechanism, registry
 from graphic_tmm.scene.chapter import chapters, places
 from graphic_tmm.scene.coordinates import OTHER_EXTREME
 from graphic_tmm.scene.declare import Flaw, Path, Said, Section, build
@@ -179,11 +179,11 @@ def _sense(path: Path, slide: Slide, parts: Parts) -> Iterator[Flaw]:
     if owner is None:
         return
     try:
-        line = mechanism.guide(slide.along, owner.points, owner.guides)
+        line = guides.guide(slide.along, owner.points, owner.guides)
     except (KeyError, ValueError):
         return
     try:
-        mechanism.sense(slide.side, line, fixed=fixed)
+        guides.sense(slide.side, line, fixed=fixed)
     except ValueError as error:
         yield Flaw((*path, "side"), error.args[0])
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -10,9 +9,8 @@ from typing import Any, ClassVar
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Guide as MechanismGuide
 from graphic_tmm.scene import coordinates as c
-from graphic_tmm.scene import letters, misfits
+from graphic_tmm.scene import misfits
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import FAULTY, Flaw, Names, Path, Schema, Sort, combined_key, key
 from graphic_tmm.scene.tables import ByShape, DeclaredTable, Named, Several
@@ -24,6 +22,44 @@ class Guide:
 
     through: complex = key(v.POINT, "a point of the guide", [0, 0])
     angle: float = key(v.ANGLE, "its direction from the x axis", "0 deg")
+
+
+DIGITS = 15
+"""Figures of a length that is worked out: as many as a number of the machine has for certain."""
+
+
+@dataclass(frozen=True)
+class Joints:
+    """Places of joints in one position, by letter, in the axes of the frame."""
+
+    OTHERS: ClassVar[Sort] = v.POINT
+
+    to: float = key(
+        v.LENGTH,
+        "lengths are rounded to a multiple of it; 0: they are left as they are",
+        "1 mm",
+        0.0,
+    )
+    near: float = key(v.LENGTH, "what lies nearer to a line was meant to lie on it", "1 mm", 0.0)
+    others: Mapping[str, complex] = combined_key(lambda said: said.others, ())
+
+    def length(self, metres: float) -> str:
+        """Return a length as a scene says it; "" of one that is nothing."""
+        if abs(metres) < self.near:
+            return ""
+        rounded = round(metres / self.to) * self.to if self.to else metres
+        return f"{1000.0 * rounded:.{DIGITS}g} mm" if rounded else ""
+
+    def point(self, place: complex) -> list[Any]:
+        """Return a point as a scene says it; one that is nearly on the x axis on it."""
+        return [self.length(place.real) or 0, self.length(place.imag) or 0]
+
+    def angle(self, degrees: float, reach: float) -> str:
+        """Return the angle of a slider whose own x axis is so long, m; "" of one that is nothing."""
+        line = 180.0 * round(degrees / 180.0)
+        off = reach * abs(math.sin(math.radians(degrees - line)))
+        shown = line if off < self.near else degrees
+        return f"{shown:.{DIGITS}g} deg" if shown else ""
 
 
 class _Place:
@@ -110,7 +146,8 @@ class Link:
     name: str = key(v.TEXT, "what the link is called", "crank", "")
     points: Mapping[str, complex] = key(
         Named(v.POINT),
-        "letters and their places in the link's own axes; P, p, Π, π are kept for poles",
+        "letters and their places in the link's own axes, or a list of letters that have places in [joints]; "
+        "P, p, Π, π are kept for poles",
         default={},
     )
     guides: Mapping[str, Guide] = key(
@@ -280,91 +317,3 @@ def slides(drive: Drive | FurtherDrive, link: Link | None, frame: Frame) -> bool
 
 SAME_PLACE = 1e-9
 """Points of a link nearer than this, m, are one point: nothing so small is made or drawn."""
-_SQUARE = 1e-6
-"""A side whose direction has no more than this in common (cosine) with a guide lies on neither side of it."""
-_WORDS = {"right": (1, 0), "left": (-1, 0), "above": (0, 1), "below": (0, -1)}
-
-
-def direction(start: complex, end: complex) -> float:
-    """Return the angle of the way from ``start`` to ``end``, degrees in [0, 360)."""
-    way = end - start
-    if way.imag == 0 or way.real == 0:
-        quarter = (0 if way.real > 0 else 2) if way.imag == 0 else (1 if way.imag > 0 else 3)
-        return 90.0 * quarter
-    return math.degrees(cmath.phase(way)) % 360
-
-
-def guide(name: str, points: Mapping[str, complex], guides: Mapping[str, Guide]) -> MechanismGuide:
-    """Return the guide that ``along`` names on a link: one of its own, or the line of two letters.
-
-    Parameters
-    ----------
-    name : str
-        A guide's name, or two letters of the link, such as ``"BC"``.
-    points : mapping of str to complex
-        The link's points in its own axes, m.
-    guides : mapping of str to GuideTable
-        The link's guides.
-
-    Returns
-    -------
-    Guide
-        In the link's own axes, m and degrees.
-    """
-    if name in guides:
-        return MechanismGuide(name, guides[name].through, guides[name].angle)
-    pair = letters.split(name)
-    if pair is None:
-        raise ValueError(said('"{name}" is neither a guide nor two letters', name=name))
-    start, end = (points[letter] for letter in pair)
-    return MechanismGuide(name, start, direction(start, end))
-
-
-def sense(word: str, line: MechanismGuide, *, fixed: bool) -> int:
-    """Return the sign along a guide that a word for a side means.
-
-    Parameters
-    ----------
-    word : str
-        "+" or "-" along the guide; for a guide of the frame also "right", "left", "above", "below".
-    line : Guide
-        The guide, its angle in the axes of its link.
-    fixed : bool
-        Whether the guide belongs to the frame.
-
-    Returns
-    -------
-    int
-        +1 or -1.
-
-    Raises
-    ------
-    ValueError
-        If the word does not tell one sense of the guide from the other.
-    """
-    if word in ("+", "-"):
-        return 1 if word == "+" else -1
-    if not fixed:
-        raise ValueError(
-            said(
-                '"{word}" tells nothing on a guide that moves; write "+" or "-": along {name}, or '
-                "against it",
-                word=word,
-                name=line.name,
-            )
-        )
-    along = cmath.rect(1, math.radians(line.angle))
-    x, y = _WORDS[word]
-    shared = along.real * x + along.imag * y
-    if abs(shared) < _SQUARE:
-        one, other = ("above", "below") if x else ("left", "right")
-        raise ValueError(
-            said(
-                'the guide {name} lies square to "{word}"; write "{one}" or "{other}"',
-                name=line.name,
-                word=word,
-                one=one,
-                other=other,
-            )
-        )
-    return 1 if shared > 0 else -1

@@ -7,7 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from graphic_tmm.errors import Fault, SceneError, first_of
-from graphic_tmm.scene import build, checks, references
+from graphic_tmm.scene import build, checks, joints, references
 from graphic_tmm.scene.bare import grouped
 from graphic_tmm.scene.checks import remarks
 from graphic_tmm.scene.declare import Flaw
@@ -68,9 +68,11 @@ def understood(
 
 def _scene(file: Path, text: str | None, doc: Document, missing: Callable[[str], str]) -> Scene:
     with measuring(measures(doc)):
-        parts, found = understand(doc)
+        own, told = joints.expanded(doc)
+        parts, found = understand(own)
+        found.extend(told)
         faults = [one for one in found if one.fault]
-        faults.extend(references.name_faults(doc, missing))
+        faults.extend(references.name_faults(own, missing))
         faults.extend(checks.contradictions(parts))
         if faults:
             raise SceneError(str(file), _in_order(text or "", doc, faults))

@@ -28,6 +28,7 @@ from graphic_tmm.scene.units import SI, SYSTEMS, UNITS
 FIRST = (
     Section("task", mechanism.Task, "lengths found from a task"),
     Section("frame", mechanism.Frame, "the fixed link", always=True),
+    Section("joints", mechanism.Joints, "joints of links in one position, by which links are told"),
     Section("link", mechanism.Link, "the moving links, in order", several=True),
     Section(
         "drive", mechanism.Drive, "the driving link and its motion", further=mechanism.FurtherDrive
@@ -254,6 +255,11 @@ def _task(doc: Document, found: list[Flaw]) -> tuple[Any, dict[str, float]]:
     except (ValueError, TmmError) as error:
         found.append(Flaw(("task",), error.args[0]))
         return task, dict.fromkeys(_FOUND_BY_TASK, math.nan)
+
+
+def lengths_of(doc: Document) -> dict[str, float]:
+    """Return the lengths that a document names, m; NaN for one that is faulty."""
+    return _named_lengths(doc, _task(doc, [])[1], [])
 
 
 def _named_lengths(

@@ -1,0 +1,312 @@
+"""A mechanism as it lies in one position, and back: from places to lengths, own axes, offsets and sides.
+
+As it *lies*, the points, guides and sliding pairs of every link are told in the axes of the frame. A link's own
+axes go from its first letter to the next that stands elsewhere; what has one letter lies along the guide that
+it slides on, else along its own.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Collection, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from graphic_tmm.mechanism.groups import Group, Pair, class_two
+from graphic_tmm.mechanism.guides import level, turn
+from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Side, Slide
+from graphic_tmm.mechanism.structure import dissect
+
+SAME = 1e-12
+"""A smaller share of the mechanism's size is nothing: so near points are one place, so far off a line on it."""
+TURN = 360.0
+
+
+class Pose(NamedTuple):
+    """Where a link's own axes are: their origin (m), the direction of the x axis (degrees)."""
+
+    origin: complex = 0j
+    angle: float = 0.0
+
+    def lying(self, point: complex) -> complex:
+        """Return a point of the link (own axes) as it lies."""
+        return self.origin + point * turn(self.angle)
+
+    def own(self, point: complex) -> complex:
+        """Return a point that lies somewhere, in the link's own axes."""
+        return (point - self.origin) * turn(-self.angle)
+
+
+class Built(NamedTuple):
+    """A mechanism in own axes; ``doubt``: how far each group is from where its assemblies meet, 0 to 1."""
+
+    mechanism: Mechanism
+    doubt: Mapping[str, float]
+
+
+def lying(
+    mechanism: Mechanism, places: Mapping[str, complex], there: Collection[int] = ()
+) -> Mechanism:
+    """Return a mechanism as it lies where its letters have these places, m.
+
+    ``there``: links that are told as they lie already.
+
+    Raises
+    ------
+    ValueError
+        As `poses_of`.
+    """
+    poses = poses_of(mechanism, places, there)
+
+    def guide(one: Guide, on: int) -> Guide:
+        pose = poses[on]
+        return replace(one, through=pose.lying(one.through), angle=one.angle + pose.angle)
+
+    def moved(link: Link) -> Link:
+        return replace(
+            link,
+            points={letter: poses[link.number].lying(z) for letter, z in link.points.items()},
+            guides=tuple(guide(one, link.number) for one in link.guides),
+            slides=tuple(replace(one, guide=guide(one.guide, one.on)) for one in link.slides),
+        )
+
+    links, passive = (tuple(map(moved, some)) for some in (mechanism.links, mechanism.passive))
+    return replace(mechanism, links=links, passive=passive)
+
+
+def poses_of(
+    mechanism: Mechanism, places: Mapping[str, complex], there: Collection[int] = ()
+) -> dict[int, Pose]:
+    """Return where the own axes of every link are, by the places of its letters; of some those of the frame.
+
+    Raises
+    ------
+    ValueError
+        With the links that have neither two letters with places nor a guide of a link that has.
+    """
+    size = _size(places.values())
+    poses = dict.fromkeys((mechanism.frame.number, *there), Pose())
+    left = [link for link in mechanism.drawn if link.number not in poses]
+    while left:
+        ready = {
+            link.number: pose
+            for link in left
+            if (pose := _posed(link, mechanism, places, poses, size))
+        }
+        ready = ready or next(
+            (_rod(link, mechanism, places, left) for link in left if link.slides), {}
+        )
+        if not ready:
+            raise ValueError(", ".join(str(link.number) for link in left))
+        poses |= ready
+        left = [link for link in left if link.number not in ready]
+    return poses
+
+
+def _posed(
+    link: Link,
+    mechanism: Mechanism,
+    places: Mapping[str, complex],
+    poses: Mapping[int, Pose],
+    size: float,
+) -> Pose | None:
+    """Return where a link's own axes are, if its letters, or one of them and a guide, tell."""
+    own = [(z, places[letter]) for letter, z in link.points.items() if letter in places]
+    for z, at in own[:1]:
+        for w, there in own[1:]:
+            if abs(w - z) > SAME * size:
+                angle = math.degrees(cmath.phase((there - at) / (w - z)))
+                return Pose(at - z * turn(angle), angle)
+        for angle in _held(link, mechanism, poses):
+            return Pose(at - z * turn(angle), angle)
+    return None
+
+
+def _held(link: Link, mechanism: Mechanism, poses: Mapping[int, Pose]) -> Iterable[float]:
+    """Yield the directions of a link's x axis that sliding pairs with links that have one give, degrees."""
+    for slide in link.slides:
+        if slide.on in poses:
+            yield poses[slide.on].angle + slide.guide.angle + slide.angle
+    for other in mechanism.links:
+        for slide in other.slides:
+            if slide.on == link.number and other.number in poses:
+                yield poses[other.number].angle - slide.angle - slide.guide.angle
+
+
+def _rod(
+    rod: Link, mechanism: Mechanism, places: Mapping[str, complex], left: Sequence[Link]
+) -> dict[int, Pose]:
+    """Return where a rod and its cylinder lie of which each has one letter with a place; none of others."""
+    slide = rod.slides[0]
+    cylinder = next((link for link in left if link.number == slide.on), None)
+    if cylinder is None:
+        return {}
+    own = [
+        next(((z, places[letter]) for letter, z in link.points.items() if letter in places), None)
+        for link in (rod, cylinder)
+    ]
+    if own[0] is None or own[1] is None:
+        return {}
+    (pin, there), (pivot, at) = own[0], own[1]
+    pair = Pair("P", slide.guide.name, (rod.number, slide.on), slide)
+    across = level(pair, rod.number, pin) - level(pair, cylinder.number, pivot)
+    along = math.sqrt(max(abs(there - at) ** 2 - across**2, 0.0))
+    along *= -1.0 if slide.side is not None and slide.side.sign < 0 else 1.0
+    way = math.degrees(cmath.phase((there - at) / complex(along, across)))
+    angles = {rod.number: way + slide.angle, cylinder.number: way - slide.guide.angle}
+    return {
+        rod.number: Pose(there - pin * turn(angles[rod.number]), angles[rod.number]),
+        cylinder.number: Pose(at - pivot * turn(angles[cylinder.number]), angles[cylinder.number]),
+    }
+
+
+def built(drawn: Mechanism, degrees: float = 0.0) -> Built:
+    """Return a mechanism that lies in one position with the lengths, offsets and sides that it has there.
+
+    ``degrees``: of the crank in that position; sides of ``drawn`` count for the flips passed until there alone.
+
+    Raises
+    ------
+    StructureError
+        As `dissect`.
+    """
+    size = _size(z for link in drawn.by_number.values() for z in link.points.values())
+    poses = {link.number: _axes(link, size) for link in drawn.drawn}
+    poses[drawn.frame.number] = Pose()
+    bare = {link.number: _own(link, poses, size) for link in drawn.links}
+    structure = dissect(replace(drawn, links=tuple(bare.values())))
+    doubt: dict[str, float] = {}
+    for group in class_two(structure.groups, "sketch"):
+        if group.rods:
+            for rod in group.rods:
+                pair = next(one.pair for one in structure.driven if one.link == rod)
+                _put_along(bare, pair, _rod_ends(drawn, pair), drawn, degrees)
+        if group.kind == 1:
+            doubt[group.name] = _put_left(bare, group, drawn, degrees)
+        elif group.kind < 4:
+            pair = group.legs[1].pair if group.kind == 2 else group.inner
+            doubt[group.name] = _put_along(bare, pair, _ends(drawn, group), drawn, degrees)
+    passive = tuple(_own(link, poses, size) for link in drawn.passive)
+    return Built(replace(drawn, links=tuple(bare.values()), passive=passive), doubt)
+
+
+def _size(places: Iterable[complex]) -> float:
+    """Return how far places lie apart, m."""
+    row = list(places)
+    return max((abs(z - row[0]) for z in row), default=0.0) or 1.0
+
+
+def _axes(link: Link, size: float) -> Pose:
+    """Return where the own axes of a link that lies somewhere are put."""
+    row = list(link.points.values())
+    guides = [*(one.guide for one in link.slides), *link.guides]
+    origin = row[0] if row else guides[0].through if guides else 0j
+    other = next((z for z in row if abs(z - origin) > SAME * size), None)
+    if other is not None:
+        return Pose(origin, math.degrees(cmath.phase(other - origin)))
+    return Pose(origin, guides[0].angle if guides else 0.0)
+
+
+def _own(link: Link, poses: Mapping[int, Pose], size: float) -> Link:
+    """Return a link that lies somewhere in its own axes, without sides."""
+    pose = poses[link.number]
+
+    def clean(length: float) -> float:
+        return 0.0 if abs(length) < SAME * size else length
+
+    def point(z: complex, of: Pose) -> complex:
+        own = of.own(z)
+        return complex(clean(own.real), clean(own.imag))
+
+    def guide(one: Guide, of: Pose) -> Guide:
+        return replace(one, through=point(one.through, of), angle=_angle(one.angle - of.angle))
+
+    def slide(one: Slide) -> Slide:
+        way = turn(one.guide.angle)
+        offset = clean(((pose.origin - one.guide.through) * way.conjugate()).imag)
+        angle = _angle(pose.angle - one.guide.angle)
+        return replace(
+            one, guide=guide(one.guide, poses[one.on]), offset=offset, angle=angle, side=None
+        )
+
+    return replace(
+        link,
+        points={letter: point(z, pose) for letter, z in link.points.items()},
+        guides=tuple(guide(one, pose) for one in link.guides),
+        slides=tuple(map(slide, link.slides)),
+        side=None,
+    )
+
+
+def _angle(degrees: float) -> float:
+    """Return an angle from −180 to 180°; 0 where it is nothing but rounding."""
+    angle = (degrees + TURN / 2) % TURN - TURN / 2
+    return 0.0 if abs(angle) < SAME * TURN else angle
+
+
+def _ends(drawn: Mechanism, group: Group) -> tuple[complex, complex]:
+    """Return the two points whose way along the guide tells the side of a group of kind 2 or 3, as they lie."""
+    first, second = group.legs
+    by_number = drawn.by_number
+    if group.kind == 2:
+        pivot, pin = first.pair.name, group.inner.name
+        return by_number[first.link].points[pivot], by_number[first.link].points[pin]
+    stone, rocker = (by_number[leg.link].points[leg.pair.name] for leg in (first, second))
+    return rocker, stone
+
+
+def _rod_ends(drawn: Mechanism, pair: Pair) -> tuple[complex, complex]:
+    """Return the pivot of a cylinder and the pin of its rod, as they lie."""
+    bodies = drawn.by_number
+    letters = [letter for one in bodies.values() for letter in one.points]
+    rod, cylinder = (
+        next(z for letter, z in bodies[n].points.items() if letters.count(letter) > 1)
+        for n in pair.links
+    )
+    return cylinder, rod
+
+
+def _put_along(
+    links: dict[int, Link],
+    pair: Pair,
+    ends: tuple[complex, complex],
+    drawn: Mechanism,
+    degrees: float,
+) -> float:
+    """Give a sliding pair the side on which its second end lies; return how far from where it may turn over."""
+    number, _ = pair.links
+    at = next(
+        k for k, one in enumerate(drawn.by_number[number].slides) if one.guide.name == pair.name
+    )
+    lies = drawn.by_number[number].slides[at]
+    way, apart = turn(lies.guide.angle), ends[1] - ends[0]
+    along = (apart * way.conjugate()).real
+    side = _passed(1 if along >= 0.0 else -1, None, lies.side, degrees)
+    slides = list(links[number].slides)
+    slides[at] = replace(slides[at], side=side)
+    links[number] = replace(links[number], slides=tuple(slides))
+    return abs(along) / abs(apart) if apart else 0.0
+
+
+def _put_left(links: dict[int, Link], group: Group, drawn: Mechanism, degrees: float) -> float:
+    """Give a group of turning pairs the side of its inner pin; return how far from where it may turn over."""
+    first, second = group.legs
+    owner = drawn.by_number[first.link]
+    a, c = (drawn.by_number[leg.link].points[leg.pair.name] for leg in group.legs)
+    b = owner.points[group.inner.name]
+    cross = ((c - a).conjugate() * (b - a)).imag
+    told = [n for leg in group.legs if drawn.by_number[n := leg.link].side is not None]
+    lies = drawn.by_number[told[0]].side if told else None
+    number = told[0] if told else second.link
+    side = _passed(1 if cross >= 0.0 else -1, (first.pair.name, second.pair.name), lies, degrees)
+    links[number] = replace(links[number], side=side)
+    apart = abs(b - a) * abs(b - c)
+    return abs(((a - b).conjugate() * (c - b)).imag) / apart if apart else 0.0
+
+
+def _passed(sign: int, left_of: tuple[str, str] | None, lies: Side | None, degrees: float) -> Side:
+    """Return a side by its sign at an angle of the crank: that behind 0°, and the flips that were told."""
+    flips = None if lies is None else lies.flips_at
+    passed = sum(0.0 < flip % TURN <= degrees % TURN for flip in flips or ())
+    return Side(-sign if passed % 2 else sign, left_of, flips)
