@@ -13,7 +13,7 @@ from graphic_tmm.language.symbols import plain, result_symbol, symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.readers.columns import Column, Positions, known_at
 from graphic_tmm.readers.position_count import Finer
-from graphic_tmm.readers.rounding import told_as
+from graphic_tmm.readers.rounding import rounded, told_as
 from graphic_tmm.readers.spread import QUANTILES
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import chapters
@@ -181,7 +181,8 @@ def _rows(
     """Yield the rows of a column: its mm, if it has any, and the quantity, if it is one."""
     letter, (mm, value) = plain(column_name(column, language)), column.first_figures
     if column.drawn:
-        cells = [fixed(mm[k], decimals, language) for k in shown]
+        lengths = (one if one is None else rounded(one, decimals) for one in (mm[k] for k in shown))
+        cells = [fixed(one, decimals, language) for one in lengths]
         yield [letter, unit("mm", language), *cells]
     figures = [told_as(mm[k], value[k], decimals) for k in shown]
     yield [

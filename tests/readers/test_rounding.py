@@ -23,7 +23,7 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.readers.columns import Column
 from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.readers.rounding import rounded_figures
-from graphic_tmm.readers.table import columns_of
+from graphic_tmm.readers.table import columns_of, table
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.read import read
 
@@ -90,6 +90,25 @@ def test_mm_times_mu_is_the_quantity_in_every_table_of_every_scene(name: str) ->
     assert not [
         found for drawn in gallery.made(name).boards for found in wrong(drawn, tables(drawn))
     ]
+
+
+def test_mm_times_mu_is_the_quantity_in_what_the_command_prints() -> None:
+    """Also of a length half-way between two figures: 1.25 mm is 1.3 in both rows."""
+    rows = [
+        [cell.strip() for cell in line.strip("│ ").split("│")]
+        for one in table(gallery.made("gripper"), "text", width=300)
+        for line in (one.plain(300) or "").splitlines()
+        if line.startswith("│")
+    ]
+    (drawn,) = gallery.made("gripper").boards
+    mus = [Decimal(f"{scale.value:.4g}") for scale in drawn.scales.values()]
+    pairs = [
+        (mm[2:], value[2:])
+        for mm, value in pairwise(rows)
+        if len(mm) == len(value) > 2 and mm[0] == value[0] and mm[1] in ("mm", "мм")
+    ]
+    assert len(pairs) > 5
+    assert not [two for two in pairs if not any(follows(*two, mu) for mu in mus)]
 
 
 def test_the_tables_are_read() -> None:
