@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from note.test_notes_of_engines import told
 from support.each import each
-from support.notes import noted
+from support.notes import made, noted
 
-from graphic_tmm.note.document import Heading, Picture, SideBySide, Table, Text, walk
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
+from graphic_tmm.note.document import Heading, Number, Picture, SideBySide, Table, Text, walk
 
 
 def figures(name: str) -> set[str]:
@@ -40,6 +41,26 @@ def test_the_force_that_is_sought_is_concluded() -> None:
 
 def test_a_moment_on_the_lever_is_worked_out() -> None:
     assert "M_{ур}^{Ж}===30,78" in told("toggle-clamp")
+
+
+@each("link", [3, 6])
+def test_the_arms_of_each_lever_are_those_on_its_own_plan(link: int) -> None:
+    (drawn,) = made("excavator").boards
+    lever = next(
+        one.lever for one in FORCES_PLAN.on(drawn).balanced if one.driven.pair.link == link
+    )
+    (table,) = (
+        block
+        for block in walk(noted("excavator").blocks)
+        if isinstance(block, Table) and block.id == f"table-lever-{link}"
+    )
+    told = [[run for cell in row for run in cell if isinstance(run, Number)] for row in table.rows]
+    for (size, arm, moment), force in zip(told, lever.forces, strict=True):
+        pole, point, line = (drawn.reading[one] for one in (lever.pole, force.point, force.line))
+        way = (point[0, arm.source.place] - pole[0, 0]).conjugate()
+        along = line.along[0, min(arm.source.place, line.along.shape[1] - 1)]
+        assert abs(arm.value - (way * along).imag) <= 0.05 + 1e-9
+        assert abs(moment.value - size.value * arm.value) <= 1e-9 * abs(moment.value)
 
 
 def test_groups_with_rods_have_their_figures() -> None:

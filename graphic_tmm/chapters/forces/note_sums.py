@@ -235,7 +235,8 @@ def applied(page: Page[Forces], lever: Lever, tool: Tool | None) -> Iterator[Blo
 
 def _row(told: NumberSource, one: Carried) -> tuple[Runs, ...]:
     """Return a row of the table: the force, its size, its image, its arm, its moment."""
-    step = next(s for s in told.log.steps if s.op is on_lever and s.uses[0] == one.value)
+    steps = (s for s in told.log.steps if s.op is on_lever and s.it.view == told.view)
+    step = next(step for step in steps if step.uses[0] == one.value)
     letter = Symbol(symbol(one.letter, told.language))
     figures = (told.number(mark) for mark in (step.uses[1], step.it))
     return (
