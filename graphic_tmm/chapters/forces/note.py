@@ -141,7 +141,7 @@ class ForcePage(Page[Forces]):
         yield from self._moments(rows)
         yield self.says(CLOSED if scaled else IDLE)
         if scaled:
-            yield Display((Formula((Symbol(vectors_of(polygon, self.language)),)),))
+            yield Display((Formula((Symbol(vectors_of(self.drawn, polygon, self.language)),)),))
         yield from blocks[1:]
 
     def _moments(self, rows: Iterator[object]) -> Iterator[Block]:

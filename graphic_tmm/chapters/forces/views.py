@@ -45,6 +45,7 @@ from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.seen import Seen, Subject
 from graphic_tmm.paper.views import captioned, mu_text, paired
 from graphic_tmm.readers.columns import Column, Readings
+from graphic_tmm.readers.equations import polygon as polygon_read
 from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.scene.captions import captions
 
@@ -147,7 +148,7 @@ def _three(
         nothing = _("all forces are zero: there is no polygon")
         return [with_caption(figure, group, lettered, own, nothing)]
     scale = scale.at(place)
-    lines = (mu_text(scale, language), vectors_of(polygon, language))
+    lines = (mu_text(scale, language), vectors_of(drawn, polygon, language))
     rods = FORCES_PLAN.on(drawn).rods(polygon)
     plan = draw_polygon(sides, polygon, reactions, place, scale.value, rods)
     return paired(
@@ -159,14 +160,16 @@ def _three(
     )
 
 
-def vectors_of(polygon: Polygon, language: str) -> str:
-    """Return the vector equation of a polygon: two lines under what was known, one under a direction."""
-    letters = [symbol(letter, language) for letter, _, _ in polygon.sides]
-    group = len(polygon.of.links) > 1
-    known = len(letters) - (2 if group else 1)
+def vectors_of(drawn: Drawn, polygon: Polygon, language: str) -> str:
+    """Return the vector equation of a polygon: two lines under what was known, one under a direction.
+
+    Of a side that closes a polygon alone not even the direction was known.
+    """
+    known = [term.known for term in polygon_read(drawn.construction, polygon.view)]
+    closed = r"{}" if known.count(False) == 1 else r"\u{{{}}}"
     terms = [
-        f"\\{'uu' if k < known else 'u'}{{{bar(letter)}}}" if group or k < known else bar(letter)
-        for k, letter in enumerate(letters)
+        (r"\uu{{{}}}" if there else closed).format(bar(symbol(letter, language)))
+        for (letter, *_), there in zip(polygon.sides, known, strict=True)
     ]
     return " + ".join(terms) + " = 0"
 

@@ -9,6 +9,7 @@ from support.driven_scenes import BOOM, OUT, ROCKER, SLIDER, TORQUE, scene
 
 import graphic_tmm
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
+from graphic_tmm.chapters.forces.views import vectors_of
 from graphic_tmm.errors import TmmError
 
 WEIGHT = 'mass = "40 kg"\ncentre = "C"\nJ = 0\n'
@@ -143,3 +144,28 @@ def test_a_chapter_of_a_turning_crank_refuses_another_drive_in_one_sentence() ->
             "velocities"
         )
     assert "\n" not in str(refused.value)
+
+
+SLOWLY = 'speed = "0.5 m/s"\nfrom = "250 mm"\nto = "350 mm"\npositions = 2\n'
+
+
+@pytest.mark.parametrize(
+    ("text", "drive", "closing"),
+    [
+        (ROCKER, "speed = 1\npositions = 4\n", [r"\bar{R}_{01}"]),
+        (SLIDER, SLOWLY, [r"\u{\bar{P}_b}", r"\u{\bar{R}_{01}}"]),
+        (SLIDER, SLOWLY + ROUGH + "f = 0.1\n", [r"\u{\bar{P}_b}", r"\u{\bar{R}_{01}}"]),
+    ],
+    ids=["crank", "slider", "rough slider"],
+)
+def test_a_line_stands_under_each_force_that_is_known_by_its_direction(
+    text: str, drive: str, closing: list[str]
+) -> None:
+    drawn = drawn_of(scene(text, drive + TORQUE))
+    group, link = (
+        vectors_of(drawn, one, "en").removesuffix(" = 0").split(" + ")
+        for one in FORCES_PLAN.on(drawn).polygons
+    )
+    assert [term[:3] == r"\u{" for term in group] == [False] * (len(group) - 2) + [True, True]
+    assert link[-len(closing) :] == closing
+    assert all(term.startswith(r"\uu{") for term in (*group[:-2], *link[: -len(closing)]))
