@@ -163,14 +163,14 @@ def _three(
 def vectors_of(drawn: Drawn, polygon: Polygon, language: str) -> str:
     """Return the vector equation of a polygon: two lines under what was known, one under a direction.
 
-    Of a side that closes a polygon alone not even the direction was known.
+    Of a side that was drawn along no line not even the direction was known.
     """
-    known = [term.known for term in polygon_read(drawn.construction, polygon.view)]
-    closed = r"{}" if known.count(False) == 1 else r"\u{{{}}}"
-    terms = [
-        (r"\uu{{{}}}" if there else closed).format(bar(symbol(letter, language)))
-        for (letter, *_), there in zip(polygon.sides, known, strict=True)
-    ]
+    read = polygon_read(drawn.construction, polygon.view)
+    terms = []
+    for (letter, *ends), term in zip(polygon.sides, read, strict=True):
+        along = term.line is not None and {*ends} == {*term.marks}
+        under = r"\uu{{{}}}" if term.known else r"\u{{{}}}" if along else "{}"
+        terms.append(under.format(bar(symbol(letter, language))))
     return " + ".join(terms) + " = 0"
 
 

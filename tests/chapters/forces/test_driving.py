@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from support.boards import drawn_of
 from support.driven_scenes import BOOM, OUT, ROCKER, SLIDER, TORQUE, scene
+from support.gallery import drawn
 
 import graphic_tmm
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
@@ -161,11 +162,23 @@ SLOWLY = 'speed = "0.5 m/s"\nfrom = "250 mm"\nto = "350 mm"\npositions = 2\n'
 def test_a_line_stands_under_each_force_that_is_known_by_its_direction(
     text: str, drive: str, closing: list[str]
 ) -> None:
-    drawn = drawn_of(scene(text, drive + TORQUE))
+    work = drawn_of(scene(text, drive + TORQUE))
     group, link = (
-        vectors_of(drawn, one, "en").removesuffix(" = 0").split(" + ")
-        for one in FORCES_PLAN.on(drawn).polygons
+        vectors_of(work, one, "en").removesuffix(" = 0").split(" + ")
+        for one in FORCES_PLAN.on(work).polygons
     )
     assert [term[:3] == r"\u{" for term in group] == [False] * (len(group) - 2) + [True, True]
     assert link[-len(closing) :] == closing
     assert all(term.startswith(r"\uu{") for term in (*group[:-2], *link[: -len(closing)]))
+
+
+def test_what_holds_a_stone_has_a_direction_of_its_own_if_nothing_else_acts_on_the_stone() -> None:
+    for name, closing in (
+        ("windrower", [r"\u{\bar{R}_{63}^{n}}", r"\u{\bar{R}_{12}}"]),
+        ("shock-absorber", [r"\u{\bar{R}_{03}^{n}}", r"\bar{R}_{12}"]),
+    ):
+        work = drawn(name)
+        groups = FORCES_PLAN.on(work).groups
+        (of_stone,) = (one.polygon for one in groups if one.closing.group.links == (2, 3))
+        terms = vectors_of(work, of_stone, "en").removesuffix(" = 0").split(" + ")
+        assert terms[-2:] == closing
