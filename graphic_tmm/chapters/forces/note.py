@@ -17,7 +17,6 @@ from graphic_tmm.chapters.forces.table import ADVANTAGE, TOOL, names_of
 from graphic_tmm.chapters.forces.views import (
     EXACTLY,
     force_views,
-    group_shown,
     lever_called,
     lever_views,
     vectors_of,
@@ -108,13 +107,11 @@ class ForcePage(Page[Forces]):
         yield from self.view(LOADS)
         for solved in made.groups:
             rows = group_rows(self.writer, made, solved)
-            links = "-".join(map(str, group_shown(self.drawn, made, solved).links))
-            yield from self._detached(solved.closing.group.name, links, solved.polygon, rows)
+            yield from self._detached(solved.polygon, rows)
         for driven in made.driven:
             if driven.alone is not None:
                 rows = driver_rows(self.writer, made, driven)
-                name, polygon = str(driven.pair.link), driven.alone.polygon
-                yield from self._detached(name, name, polygon, rows)
+                yield from self._detached(driven.alone.polygon, rows)
         yield from self.view(FRICTION)
         yield from self._lever()
         yield from self.tabled()
@@ -123,16 +120,12 @@ class ForcePage(Page[Forces]):
         """Return figures of the position."""
         return self.figures(*(f"{name}-{self.position}" for name in names))
 
-    def _detached(
-        self, name: str, links: str, polygon: Polygon, rows: Iterator[object]
-    ) -> Iterator[Block]:
-        """Yield what is told of a group or of the driving link: its figure, its moments, its polygon.
-
-        ``links``: those that its figures show, rods in their cylinders too.
-        """
+    def _detached(self, polygon: Polygon, rows: Iterator[object]) -> Iterator[Block]:
+        """Yield what is told of a group or of the driving link: its figure, its moments, its polygon."""
+        name = polygon.of.name
         title = called(f"group {name}", self.speech)
         yield heading(title)
-        shown = side_by_side(self._here(f"group-{links}", f"forces-{links}"))
+        shown = side_by_side(self._here(f"group-{name}", f"forces-{name}"))
         found = section(self.drawn, polygon.view, self.at, self.language)
         scaled = polygon.view in self.drawn.scales and found is not None
         told = (found,) if scaled and found is not None else ()

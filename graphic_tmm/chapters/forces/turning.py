@@ -127,7 +127,7 @@ def _pair(
     reactions: tuple[Reaction, ...],
 ) -> Iterator[Moving]:
     language, on = drawn.scene.language, subject(drawn, "", "forces")
-    _, name = speaking(language), "-".join(map(str, shown.links))
+    _, name = speaking(language), polygon.of.name
     scale = drawn.scales.get(polygon.view)
     yield Moving(
         f"group {name}",

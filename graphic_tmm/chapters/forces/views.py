@@ -130,7 +130,7 @@ def _three(
     if not whole(drawn.reading, polygon, reactions, place):
         return []
     language = drawn.scene.language
-    _, name, position = speaking(language), "-".join(map(str, shown.links)), drawn.names[place]
+    _, name, position = speaking(language), polygon.of.name, drawn.names[place]
     at = f"{captions(language)['position']} {escape(position)}"
 
     def on(what: str) -> Subject:

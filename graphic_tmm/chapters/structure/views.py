@@ -34,11 +34,18 @@ PIECE = 0.9 * SLIDER_LENGTH
 
 
 def draw_part(
-    on: Subject, reaches: Mapping[Figure, Reach], links: Sequence[int], index: int
+    on: Subject,
+    reaches: Mapping[Figure, Reach],
+    links: Sequence[int],
+    rods: Sequence[int],
+    index: int,
 ) -> Drawing:
-    """Return one part of a mechanism: the links of these numbers, in one position (an index)."""
+    """Return one part of a mechanism: the links of these numbers, in one position (an index).
+
+    ``rods``: those that are one link with their cylinders; they bear no number of their own.
+    """
     ink = LinksInk(on.construction, on.reading, reaches)
-    names = [str(number) for number in links]
+    names = [str(number) for number in (*links, *rods)]
     strokes: list[Ink] = [stroke for one in names for stroke in ink.lines(one, index, MAIN)]
     strokes += _outer_guides(ink, names, index)
     strokes += [stroke for stroke in ink.symbols(names, index) if stroke.part != "centre"]
@@ -48,7 +55,7 @@ def draw_part(
             strokes += body(fixed_pivot(ink.at(mark, index)), "pivot", [mark])
     named = [Named(ink.at(m, index), markup(m.name), (m.slot,), index) for m in marks]
     letters = lettered(shared(named), on.heights.point, PAIR)
-    circled = link_numbers(ink, index, strokes, letters, on.heights.number, names)
+    circled = link_numbers(ink, index, strokes, letters, on.heights.number, names[: len(links)])
     strokes += [stroke for one in circled for stroke in one.strokes]
     labels = tuple(one.label for one in circled)
     return Drawing(on.name, on.title, tuple(strokes), labels, wanted=tuple(letters))
@@ -86,14 +93,14 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         return []
     structure = dissect(drawn.scene.mechanism)
     words, found = WORDS[drawn.scene.language], []
-    groups = {group.name for group in class_two(structure.groups, PARTS)}
+    groups = {group.name: group.rods for group in class_two(structure.groups, PARTS)}
     rods = {one.name for one in structure.driven if one.telescopes}
     for name, (n, p5) in parts(structure).items():
         links = [int(one) for one in name.split("-")]
         kind = "group" if name in groups else "rod" if name in rods else "link"
         told = words[f"class of {kind}"].format(name=name)
         on = subject(drawn, told, PARTS, name=f"part-{name}")
-        view = draw_part(on, reaches(drawn), links, drawn.main)
+        view = draw_part(on, reaches(drawn), links, groups.get(name, ()), drawn.main)
         w = drawn.reading[made.parts[name]].item()
         line = f"W = 3·{n} − 2·{p5} = {number(w, drawn.scene.language)}"
         found.append(with_caption(view, on, lettered, line))

@@ -6,15 +6,17 @@ import re
 from dataclasses import replace
 
 import pytest
+import shapely
 from support.gallery import SHEETS
 from support.mechanisms import sample
 
 from graphic_tmm.chapters.structure import PARTS
-from graphic_tmm.chapters.structure.record import MOBILITY
+from graphic_tmm.chapters.structure.record import MOBILITY, STRUCTURE_PLAN
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.mechanism.records import Row
+from graphic_tmm.paper.shapes import shape
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene, SheetOrder
@@ -77,3 +79,15 @@ def test_a_scene_that_shows_no_structure_records_no_step_of_it() -> None:
 def test_parts_of_mechanisms_that_are_not_ours() -> None:
     for work in scenes(12):
         assert_parts(work)
+
+
+@pytest.mark.parametrize("name", ["tipper", "excavator"])
+def test_a_group_with_a_driven_cylinder_is_in_one_piece(name: str) -> None:
+    """Its rod joins the cylinder to the other link: what is drawn hangs together."""
+    work = fitted(replace(read(SHEETS / name), sheets=ORDER))
+    groups = [f"part-{group.name}" for group in STRUCTURE_PLAN.on(work).groups]
+    views = [view for view in part_views(work, True) if view.name in groups]
+    assert len(views) == len(groups)
+    for view in views:
+        ink = [shape(stroke).buffer(0.05) for stroke in view.strokes if stroke.part != "number"]
+        assert shapely.get_num_geometries(shapely.union_all(ink)) == 1
