@@ -47,6 +47,9 @@ CENTRE_RADIUS = 0.9
 """A mass centre is a small circle, mm."""
 HELD = 8.0
 """A guide that its link holds no farther off, mm, has no filled corner: it would hide the pair there."""
+ACROSS = 0.25
+"""Sine of the least angle (14°) between two lines that hold a point of a link; less
+reads as one line; chosen by eye."""
 POINT_RADIUS = 1.1
 """A point of a link that is neither a pair nor a mass centre is a dot, mm."""
 
@@ -345,5 +348,19 @@ def _outline(spots: Sequence[complex], pen: str) -> list[Stroke]:
     made = [line(pen, *corners, closed=True)]
     for spot in apart:
         if edge.distance(shapely.Point(spot.real, spot.imag)) > TOGETHER:
-            made.append(line(pen, spot, min(corners, key=lambda z: round(abs(z - spot), 6))))
+            made.append(line(pen, *_tied(spot, corners)))
     return made
+
+
+def _tied(spot: complex, corners: Sequence[complex]) -> tuple[complex, complex, complex]:
+    """Return a point inside an outline between the two corners that hold it: the nearest, the nearest across.
+
+    By one line alone it would read as a link that turns at the corner.
+    """
+    first, *others = sorted(corners, key=lambda z: round(abs(z - spot), 6))
+
+    def across(corner: complex) -> bool:
+        way = (corner - spot) / (first - spot)
+        return abs(way.imag) > ACROSS * abs(way)
+
+    return first, spot, next(filter(across, others), others[0])

@@ -300,3 +300,19 @@ zero = "20 deg"
     sizes = [one.symbol for one in given(drawn.scene)]
     assert {"l_{OA}", "l_{OC}", "α_{AOC}"} < set(sizes)
     assert "l_{AC}" not in sizes
+
+
+@each("place, corners", [('["2 m", "0.3 m"]', "HO"), ('["1.9 m", "0.72 m"]', "HB")])
+def test_a_pin_inside_a_plate_is_held_by_two_lines(
+    tmp_path: Path, place: str, corners: str
+) -> None:
+    """By one it would be a further link; by two that lie in one line with it, none of the plate."""
+    text = (gallery.SHEETS / "excavator" / "scene.toml").read_text(encoding="utf-8")
+    drawn = drawn_of(read(written(tmp_path, text.replace('["2 m", "0.3 m"]', place))), exact=True)
+    ink = LinksInk(drawn.construction, drawn.reading, reaches(drawn))
+    marks = KINEMATICS_PLAN.on(drawn).positions.bodies[1].marks
+    for k in range(4):
+        first, last = (ink.at(marks[letter], k) for letter in corners)
+        edge, held = (one for one in ink.lines("1", k, MAIN) if isinstance(one, Stroke))
+        assert corners_of(held) == pytest.approx([first, ink.at(marks["N"], k), last])
+        assert {*corners_of(edge)} == {ink.at(marks[letter], k) for letter in "OHB"}
