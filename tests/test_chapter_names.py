@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import ast
 import pkgutil
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import pytest
+from support.messages import nodes, sources
 
 import graphic_tmm
 from graphic_tmm import chapters
@@ -46,19 +47,18 @@ def _imported(node: ast.AST) -> Iterator[str]:
         yield from (f"{node.module}.{alias.name}" for alias in node.names)
 
 
-def _found(code: str) -> Iterator[str]:
+def _found(code: Sequence[ast.AST]) -> Iterator[str]:
     """Yield the names of chapters in code: texts that are one, or begin with one; what is imported of them."""
-    tree = ast.parse(code)
     spared = {
         id(part)
-        for node in ast.walk(tree)
+        for node in code
         if isinstance(node, ast.Call)
         and isinstance(node.func, ast.Name)
         and node.func.id in SENTENCES
         for part in node.args
     }
-    spared |= {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
-    for node in ast.walk(tree):
+    spared |= {id(node.value) for node in code if isinstance(node, ast.Expr)}
+    for node in code:
         if isinstance(node, ast.Constant) and id(node) not in spared and _named(node.value):
             yield repr(node.value)
         yield from (name for name in _imported(node) if name.startswith("graphic_tmm.chapters."))
@@ -77,7 +77,7 @@ def _found(code: str) -> Iterator[str]:
     ],
 )
 def test_a_name_of_a_chapter_is_seen(line: str) -> None:
-    assert list(_found(line))
+    assert list(_found([*ast.walk(ast.parse(line))]))
 
 
 @pytest.mark.parametrize(
@@ -91,15 +91,15 @@ def test_a_name_of_a_chapter_is_seen(line: str) -> None:
     ],
 )
 def test_other_words_are_no_names(line: str) -> None:
-    assert not list(_found(line))
+    assert not list(_found([*ast.walk(ast.parse(line))]))
 
 
 def test_nobody_outside_names_a_chapter() -> None:
     found = {
         f"{path.relative_to(PACKAGE).as_posix()}: {name}"
-        for path in sorted(PACKAGE.rglob("*.py"))
+        for path in sources()
         if PACKAGE / "chapters" not in path.parents
-        for name in _found(path.read_text("utf-8"))
+        for name in _found(nodes(path))
     }
     assert found - ALLOWED == set(), "declare it on the chapter, or ask the registry"
     assert ALLOWED - found == set(), "allowed, but not there any more"

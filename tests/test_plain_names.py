@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import ast
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
 
 from support.gallery import ROOT
+from support.messages import nodes, sources
 
 PACKAGE = ROOT / "graphic_tmm"
 PRIVATE = {"told", "found", "made", "one", "beside", "asked", "shown", "others"}
@@ -17,33 +18,37 @@ ROOMS = 3
 Named = ast.FunctionDef | ast.AsyncFunctionDef | ast.ClassDef
 
 
-def trees() -> Iterator[tuple[Path, ast.Module]]:
-    for path in sorted(PACKAGE.rglob("*.py")):
-        yield path.relative_to(PACKAGE), ast.parse(path.read_text(encoding="utf-8"))
+def read() -> Iterator[tuple[Path, Sequence[ast.AST]]]:
+    return ((path.relative_to(PACKAGE), nodes(path)) for path in sources())
 
 
-def private(path: Path, tree: ast.Module) -> Iterator[str]:
+def private(path: Path, code: Iterable[ast.AST]) -> Iterator[str]:
     """Private words as names: of a file, of functions and classes at any depth."""
     if path.stem in PRIVATE:
         yield str(path)
-    for node in ast.walk(tree):
+    for node in code:
         if isinstance(node, Named) and node.name.strip("_").lower() in PRIVATE:
             yield f"{path}: {node.name}"
 
 
 def test_a_private_word_is_seen() -> None:
     tree = ast.parse("class Asked:\n    def _told(self): ...\n    def retold(self): ...\n")
-    assert list(private(Path("one.py"), tree)) == ["one.py", "one.py: Asked", "one.py: _told"]
+    assert list(private(Path("one.py"), ast.walk(tree))) == [
+        "one.py",
+        "one.py: Asked",
+        "one.py: _told",
+    ]
 
 
 def test_no_private_word_is_a_name() -> None:
-    assert [name for path, tree in trees() for name in private(path, tree)] == []
+    assert [name for path, code in read() for name in private(path, code)] == []
 
 
 def test_a_public_name_stands_in_few_rooms() -> None:
     rooms = defaultdict[str, set[str]](set)
-    for path, tree in trees():
-        for node in tree.body:
+    for path, (module, *_) in read():
+        assert isinstance(module, ast.Module)
+        for node in module.body:
             if isinstance(node, Named) and not node.name.startswith("_"):
                 rooms[node.name].add(path.parts[0])
     assert {name: there for name, there in rooms.items() if len(there) > ROOMS} == {}

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
+from support.messages import nodes, sources
 
 import graphic_tmm
 
@@ -53,8 +54,8 @@ def _takes_apart(node: ast.AST) -> bool:
     )
 
 
-def _found(text: str) -> Iterator[str]:
-    return (ast.unparse(node) for node in ast.walk(ast.parse(text)) if _takes_apart(node))
+def _found(nodes: Iterable[ast.AST]) -> Iterator[str]:
+    return (ast.unparse(node) for node in nodes if _takes_apart(node))
 
 
 @pytest.mark.parametrize(
@@ -70,7 +71,7 @@ def _found(text: str) -> Iterator[str]:
     ],
 )
 def test_a_name_taken_apart_is_seen(line: str) -> None:
-    assert list(_found(line))
+    assert list(_found(ast.walk(ast.parse(line))))
 
 
 @pytest.mark.parametrize(
@@ -85,14 +86,14 @@ def test_a_name_taken_apart_is_seen(line: str) -> None:
     ],
 )
 def test_a_name_used_whole_is_none(line: str) -> None:
-    assert not list(_found(line))
+    assert not list(_found(ast.walk(ast.parse(line))))
 
 
 def test_no_code_takes_the_name_of_a_view_apart() -> None:
     found = {
         f"{path.relative_to(PACKAGE).as_posix()}: {text}"
-        for path in sorted(PACKAGE.rglob("*.py"))
-        for text in _found(path.read_text("utf-8"))
+        for path in sources()
+        for text in _found(nodes(path))
     }
     assert found - ALLOWED == set(), "give the view a role, or hold the record that says it"
     assert ALLOWED - found == set(), "allowed, but not there any more"

@@ -109,6 +109,7 @@ pressure = "40 deg"
 """A rocker's cam whose pivots stand so close that no region of centres keeps the angle of pressure."""
 
 
+@pytest.mark.slow
 def test_what_has_no_true_value_is_told_and_stands_in_the_way_of_nothing_else(
     tmp_path: Path,
 ) -> None:

@@ -89,10 +89,12 @@ def _begins_in_a_table(page: tuple[PageLine, ...]) -> bool:
     return first.startswith(HEADS) or (second.startswith(HEADS) and not CAPTION.match(first))
 
 
+@pytest.mark.slow
 def test_no_page_has_a_line_or_two() -> None:
     assert min(len(page) for page in pages_of(CASE)[1:]) >= FEW
 
 
+@pytest.mark.slow
 def test_letters_are_no_smaller_than_is_due() -> None:
     """Words of a table may have 10 pt, others 12."""
     sizes = {line.size for page in pages_of(CASE) for line in page if WORD.search(line.words)}
@@ -100,6 +102,7 @@ def test_letters_are_no_smaller_than_is_due() -> None:
     assert not {size for size in sizes if TABLE + 0.1 < size < TEXT - 0.1}
 
 
+@pytest.mark.slow
 def test_what_stands_above_a_table_has_the_size_of_text() -> None:
     for page in pages_of(CASE):
         for line in page:
