@@ -240,7 +240,7 @@ def polygon(construction: Construction, plan: str) -> tuple[Term, ...]:
 def called(terms: tuple[Term, ...], equations: Iterable[str]) -> tuple[Term, ...]:
     """Return the sides of a polygon, named as in the equation of its group if it has one.
 
-    A line is named by the force along it; of a reaction in two components the equation names the component.
+    A line is named by the force along it; where that is between stone and guide the equation names another.
     """
     for text in equations:
         letters = [_INDEX.sub(r"\1{\2}", one) for one in text.partition(" = ")[0].split(" + ")]

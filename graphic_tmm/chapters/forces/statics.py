@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Container
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
@@ -103,8 +103,8 @@ def solve_group(
         tangents[second.link] = _across(chain, second, tangents[second.link])
     held = isinstance(first, GuideLeg) and first.inner
     lines = [
-        _unknown(draft, first, middle if held else start, slopes),
-        _unknown(draft, second, chain.end, slopes),
+        _unknown(draft, first, middle if held else start, slopes, tangents),
+        _unknown(draft, second, chain.end, slopes, tangents),
     ]
     top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0], why=why.POLYGON_CLOSES)
     corners = _Corners(start, loads, middle, loaded, chain.end, top)
@@ -194,11 +194,22 @@ class _Corners(NamedTuple):
     top: Mark
 
 
-def _unknown(draft: Draft, leg: ClosingLeg, through: Mark, slopes: dict[Pair, Slope]) -> Mark:
+def _closing(leg: ClosingLeg, tangents: Container[int]) -> str:
+    """Return the letter of the side of a leg that closes a polygon; beside a tangential one it is normal."""
+    return f"R_{{{leg.body}{links_of(leg)[0]}}}" + ("^{n}" if leg.link in tangents else "")
+
+
+def _unknown(
+    draft: Draft,
+    leg: ClosingLeg,
+    through: Mark,
+    slopes: dict[Pair, Slope],
+    tangents: Container[int],
+) -> Mark:
     """Draw the line of an unknown force: along a link, or square to a guide but for the angle of friction."""
     match leg:
         case PinLeg():
-            letter, along = f"(R_{{{leg.body}{links_of(leg)[0]}}})", leg.line
+            letter, along = f"({_closing(leg, tangents)})", leg.line
             return draft.draw(parallel, letter, through, along, sense=1, why=why.NORMAL_UNKNOWN)
         case GuideLeg():
             pair = _pair(leg)
@@ -242,10 +253,7 @@ def _read(
     guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
     inside = links_of(first)[-1], links_of(second)[-1]
     between = reaction_of(figure, inside, (at.top, at.middle), guide, couple)
-    letters = [
-        f"R_{{{leg.body}{links_of(leg)[0]}}}" + ("^{n}" if leg.link in tangents else "")
-        for leg in closing.legs
-    ]
+    letters = [_closing(leg, tangents) for leg in closing.legs]
     sides = (*chain.sides, (letters[1], at.end, at.top), (letters[0], at.top, at.start))
     drawn = Polygon(figure.of, chain.mu, sides)
     return Solved(closing, (found[0], found[1], between), drawn, turning, tangents, figure, {})

@@ -6,11 +6,14 @@ import cmath
 
 import pytest
 import shapely
+from support.gallery import drawn
 
 from graphic_tmm.chapters.forces.ink_arrows import Arrows, ArrowText
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.shapes import box, shape
+from graphic_tmm.readers.equations import polygon
 
 
 @pytest.mark.parametrize("value", [-3.0, 2.0])
@@ -32,3 +35,12 @@ def test_a_letter_stands_nearer_to_its_own_arrow_than_to_another() -> None:
     for label in view.labels:
         away = {s.of: shape(s).distance(box(label)) for s in arrows.strokes if s.data}
         assert min(away, key=lambda of: away[of]) == label.of
+
+
+def test_the_line_along_a_link_is_lettered_as_the_side_that_lies_on_it() -> None:
+    """Beside a tangential component that is the normal one: the whole reaction lies along no link."""
+    work, found = drawn("windrower"), list[str]()
+    for group in FORCES_PLAN.on(work).groups:
+        *_, first, second = polygon(work.construction, group.polygon.view)
+        found += [one.line.letter for one in (first, second) if one.line is not None]
+    assert found == ["(R_{65})", "(R_{34})", "(R_{63}^{n})", "(R_{23})"]
