@@ -7,7 +7,16 @@ from support.each import each
 from support.notes import made, noted
 
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
-from graphic_tmm.note.document import Heading, Number, Picture, SideBySide, Table, Text, walk
+from graphic_tmm.note.document import (
+    Heading,
+    Number,
+    Picture,
+    SideBySide,
+    Table,
+    Text,
+    numbers,
+    walk,
+)
 
 
 def figures(name: str) -> set[str]:
@@ -61,6 +70,21 @@ def test_the_arms_of_each_lever_are_those_on_its_own_plan(link: int) -> None:
         along = line.along[0, min(arm.source.place, line.along.shape[1] - 1)]
         assert abs(arm.value - (way * along).imag) <= 0.05 + 1e-9
         assert abs(moment.value - size.value * arm.value) <= 1e-9 * abs(moment.value)
+
+
+def test_what_moments_give_has_one_sign_in_its_equation_and_behind_it() -> None:
+    (drawn,) = made("excavator").boards
+    forces = FORCES_PLAN.on(drawn)
+    sought = {str(one.value.slot) for group in forces.groups for one in group.tangents.values()}
+    sought |= {str(one.lever.force.slot) for one in forces.balanced}
+    told: dict[str, list[bool]] = {}
+    for one in numbers(noted("excavator")):
+        if one.source.kind in ("mark", "size") and one.source.name in sought:
+            told.setdefault(one.source.name, []).append(one.text.startswith("−"))
+    assert set(told) == sought
+    assert max(map(len, told.values())) >= 2  # the tangential ones are laid off too
+    assert all(len({*signs}) == 1 for signs in told.values())
+    assert [True] in [sorted({*signs}) for signs in told.values()]
 
 
 def test_groups_with_rods_have_their_figures() -> None:

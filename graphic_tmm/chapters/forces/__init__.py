@@ -33,6 +33,11 @@ becomes M·ab/l. It gives the balancing force once more by one equation without 
 (usually within 5 % by hand). Each of several drives has a lever of its own, the plan of velocities as it alone
 causes them: the powers of what holds the others are 0 there.
 
+Results have their signs, on sheets as in tables and notes: a couple, and what balances a crank, is positive
+counter-clockwise, the force that drives a rod where it pushes it out, that on a slider along its guide. In a
+sum of moments only what is sought has a sign of its own; all else stands by its size, with the sign of the
+sense in which it is drawn.
+
 Draws: places ``forces`` (groups detached with their polygons and equations, the driving link), ``lever``,
 ``force table``, ``load diagram``. Builds on kinematics; on diagrams (loads by the travel of a slider); on
 indicator (gas on a piston).

@@ -51,7 +51,8 @@ class Sought(NamedTuple):
     """What a sum of moments gives: its letter, its value, what it is multiplied by, its sense.
 
     ``by``: its arm (Length), or the force whose arm is sought; None: it is a couple. ``sense``: +1 if it turns
-    counter-clockwise where it is positive.
+    counter-clockwise where it is positive: what is sought keeps its sign, all else stands by its size with the
+    sign of its sense.
     """
 
     letter: str
@@ -85,9 +86,9 @@ class Writer:
         """Return a length as the ruler tells it, without its sign, mm."""
         return fixed(abs(self.value(mark)), self.decimals, self.language)
 
-    def with_unit(self, mark: Mark, of: str) -> str:
-        """Return the size of a mark with its unit."""
-        return f"{self.figure(mark)} {unit(of, self.language)}"
+    def signed(self, mark: Mark) -> str:
+        """Return the value of a mark with its sign."""
+        return number(self.value(mark), self.language)
 
     def sense(self, mark: Mark) -> int:
         """Return −1 where a mark is negative, otherwise 1."""
@@ -162,12 +163,11 @@ class Writer:
         factors = [name] if by is None else [name, self.letter(by.name)]
         if by is not None and by.kind is not Length:  # a force stands before its arm
             factors.reverse()
-        sense = sought.sense * self.sense(sought.value)
         last = "·".join([*factors, told] if told and by is not None else factors)
-        left = [*self.parts(of, told, figures=False), f"{_sign(sense)}{last}"]
-        above = self.parts(of, put, figures=True, over=sense > 0) or ["0"]
+        left = [*self.parts(of, told, figures=False), f"{_sign(sought.sense)}{last}"]
+        above = self.parts(of, put, figures=True, over=sought.sense > 0) or ["0"]
         below = [] if by is None else [self._put(by), *([put] if put else [])]
-        value = self.with_unit(sought.value, sought.unit)
+        value = f"{self.signed(sought.value)} {unit(sought.unit, self.language)}"
         figures = _divided(_bare(above), below)
         left[-1] += " = 0"
         return [[f"{heading} = ", *_bare(left)], [f"{name} = ", *figures, f"= {value}"]]
@@ -236,7 +236,8 @@ def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
     rods = [one for one in made.driven if one.pair.link in solved.rods]
     for driven in rods:
         length, *_ = writer.seen.by_mark[driven.balance].uses
-        yield _measured(writer, (driven.letter, length, driven.balance), solved.polygon)
+        own = driven.letter, length, driven.balance
+        yield _measured(writer, own, solved.polygon, signed=True)
     shown = {one.balance for one in rods}
     for force in (one for one in made.first.lever.forces if one.value not in shown):
         step = writer.seen.by_mark.get(force.value)  # friction along guides, read off the polygon
@@ -274,7 +275,7 @@ def driver_rows(writer: Writer, made: Forces, driven: Driven) -> Iterator[Row]:
     assert alone is not None
     if driven.couple is None and alone.arm is None:
         length, *_ = writer.seen.by_mark[driven.balance].uses
-        yield _measured(writer, (letter, length, driven.balance), alone.polygon)
+        yield _measured(writer, (letter, length, driven.balance), alone.polygon, signed=True)
     else:
         assert alone.total is not None
         of = Sum(alone.total, *_names(made, (driven.pair.link,)))
@@ -308,7 +309,7 @@ def lever_rows(writer: Writer, lever: Lever, tool: Tool | None) -> Iterator[Row]
         yield _formula(writer, tool.advantage, "")
         yield _formula(writer, lever.force, "N")
     if lever.balance != lever.force:
-        yield _formula(writer, lever.balance, "N·m")
+        yield _formula(writer, lever.balance, "N·m", signed=True)
 
 
 def _names(made: Forces, links: tuple[int, ...]) -> tuple[dict[Mark, str], dict[Mark, str]]:
@@ -329,13 +330,15 @@ def _along(writer: Writer, force: Mark, polygon: Polygon) -> Row:
     return _measured(writer, (force.name, length, force), polygon)
 
 
-def _measured(writer: Writer, of: tuple[str, Mark, Mark], polygon: Polygon) -> Row:
-    """A force by its mm; ``of``: its letter, its length on the polygon, its value."""
+def _measured(
+    writer: Writer, of: tuple[str, Mark, Mark], polygon: Polygon, *, signed: bool = False
+) -> Row:
+    """A force by its mm; ``of``: its letter, its length on the polygon, its value; its size, or ``signed``."""
     letter_, length, value = of
-    language = writer.language
-    mm = f"{writer.length(length)} {unit('mm', language)}"
+    language, sign = writer.language, "−" if signed and writer.sense(value) < 0 else ""
+    mm = f"{sign}{writer.length(length)} {unit('mm', language)}"
     mu = f"{number(writer.value(polygon.mu), language)} {unit('N/mm', language)}"
-    told = writer.with_unit(value, "N")
+    told = f"{sign}{writer.figure(value)} {unit('N', language)}"
     return Row([f"{writer.letter(letter_)} = {mm}·{mu} = {told}"], value)
 
 
@@ -350,12 +353,11 @@ _CLOCKWISE, _COUNTER = said("clockwise"), said("counter-clockwise")
 """The sense of a couple on the lever."""
 
 
-def _formula(writer: Writer, mark: Mark, of: str) -> Row:
-    """A calculation of the log by sizes: its letters, its figures, its result."""
-    step = writer.seen.by_mark[mark]
-    names = letters_of(step, lambda used: writer.letter(used.name))
-    told = step.op.formula.format(**names).removeprefix("−")
-    put = step.op.formula.format(**letters_of(step, writer.figure)).removeprefix("−")
-    return Row(
-        [f"{writer.letter(mark.name)} = {told} = ", f"{put} = {writer.with_unit(mark, of)}"], mark
-    )
+def _formula(writer: Writer, mark: Mark, of: str, *, signed: bool = False) -> Row:
+    """A calculation of the log: its letters, its figures, its result; by sizes, or ``signed``."""
+    step, figure = writer.seen.by_mark[mark], writer.signed if signed else writer.figure
+    told = step.op.formula.format(**letters_of(step, lambda used: writer.letter(used.name)))
+    put = step.op.formula.format(**letters_of(step, figure))
+    told, put = (text if signed else text.removeprefix("−") for text in (told, put))
+    value = f"{figure(mark)} {unit(of, writer.language)}"
+    return Row([f"{writer.letter(mark.name)} = {told} = ", f"{put} = {value}"], mark)

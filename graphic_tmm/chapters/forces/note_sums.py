@@ -13,7 +13,6 @@ from graphic_tmm.chapters.forces.ink_balances import Sought, Sum, Term, Writer
 from graphic_tmm.chapters.forces.lever import Carried, Lever
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.tool import Tool
-from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
@@ -82,16 +81,14 @@ class _SumFormulas:
         one, writer = self.one, self.writer
         heading = Symbol(writer.letter(one.heading))
         if one.sought is None:
-            total = self._total(one.of.total)
+            total = self._signed(one.of.total, "N·m")
             whole = self._tree(self._sum(figures=False)), self._tree(self._sum(figures=True))
             yield from broken(Formula((heading, *whole, total)))
             return
-        sense = one.sought.sense * writer.sense(one.sought.value)
-        left = [*self._parts(figures=False), (sense, self._last(one.sought))]
+        left = [*self._parts(figures=False), (one.sought.sense, self._last(one.sought))]
         yield from broken(Formula((heading, self._tree(_signed(left)), Symbol("0"))))
-        name = self._tree(self._barred(one.sought.value, one.sought.letter))
-        value = self._result(one.sought)
-        yield from broken(Formula((name, self._tree(self._quotient(one.sought, sense)), value)))
+        name, value = self._name(one.sought), self._signed(one.sought.value, one.sought.unit)
+        yield from broken(Formula((name, self._tree(self._quotient(one.sought)), value)))
 
     def _sum(self, *, figures: bool) -> Node:
         parts = self._parts(figures=figures)
@@ -145,24 +142,20 @@ class _SumFormulas:
         told = writer.length(mark) if mark.kind is Length else writer.figure(mark)
         return Number(told, "", self._source(mark, "size"), abs(writer.value(mark)))
 
-    def _result(self, sought: Sought) -> Number:
-        """Return the size of what is sought, with its unit."""
-        mark = sought.value
-        told = self.writer.figure(mark)
-        return Number(told, sought.unit, self._source(mark, "size"), abs(self.writer.value(mark)))
+    def _name(self, sought: Sought) -> Symbol:
+        return Symbol(self.writer.letter(sought.letter))
 
-    def _total(self, mark: Mark) -> Number:
-        """Return a moment with its sign."""
-        value = self.writer.value(mark)
-        digits = number(value, self.writer.language)
-        return Number(digits, "N·m", self._source(mark, "mark"), value)
+    def _signed(self, mark: Mark, of: str) -> Number:
+        """Return a force, a moment with its sign and its unit."""
+        told, value = self.writer.signed(mark), self.writer.value(mark)
+        return Number(told, of, self._source(mark, "mark"), value)
 
     def _source(self, mark: Mark, kind: str) -> Source:
         return Source(kind, self.board, str(mark.slot), self.writer.index, mark.view)
 
     def _last(self, sought: Sought) -> Node:
         """Return the term of what is sought: a force and its arm, times the scale factor, or a couple."""
-        name = self._barred(sought.value, sought.letter)
+        name = self._leaf(self._name(sought))
         if sought.by is None:
             return name
         by = self._either(sought.by, False)
@@ -172,9 +165,9 @@ class _SumFormulas:
             product = Node("·", (product, self._either(self.one.mu, False)))
         return product
 
-    def _quotient(self, sought: Sought, sense: int) -> Node:
+    def _quotient(self, sought: Sought) -> Node:
         """Return what is sought with figures: the other terms, taken over, by what it is multiplied by."""
-        over = -1 if sense > 0 else 1
+        over = -1 if sought.sense > 0 else 1
         terms = [(over * sign, node) for sign, node in self._parts(figures=True)]
         above = _signed(terms) if terms else self._leaf(Symbol("0"))
         if sought.by is None:

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
-
-import numpy as np
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
@@ -44,7 +41,7 @@ from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.seen import Seen, Subject
 from graphic_tmm.paper.views import captioned, mu_text, paired
-from graphic_tmm.readers.columns import Column, Readings
+from graphic_tmm.readers.columns import Readings
 from graphic_tmm.readers.equations import polygon as polygon_read
 from graphic_tmm.readers.result_table import result_table
 from graphic_tmm.scene.captions import captions
@@ -281,8 +278,6 @@ def _verdict(drawn: Drawn, made: Forces, one: Balanced, place: int) -> list[str]
 
     of = unit("N" if made.order.balance == "force" else "N·m", language)
     values = at(one.balance), at(one.lever.balance)
-    if made.tool is None and values[0] * values[1] > 0:  # of one sense, that of their arrows
-        values = abs(values[0]), abs(values[1])
     if len(made.balanced) > 1:
         names = symbol(one.driven.letter, language), symbol(one.lever.balance.name, language)
     else:
@@ -317,7 +312,7 @@ def _sought(drawn: Drawn, tool: Tool, at: Callable[[Mark], float]) -> list[str]:
 def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of forces."""
     columns = force_columns(drawn) if FORCES_PLAN.of(drawn) is not None else ()
-    rows = [_as_printed(drawn, column.without(drawn.undrawn)) for column in columns]
+    rows = [column.without(drawn.undrawn) for column in columns]
     if not rows:
         return []
     high = heights(drawn.scene, "force table")
@@ -325,31 +320,6 @@ def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     table = result_table("forces", rows, drawn.names, language, heights=high)
     lines = pin_sentences(drawn, language)
     return [captioned(table, *lines, heights=high) if lines else table]
-
-
-def _as_printed(drawn: Drawn, column: Column) -> Column:
-    """Return a column as people read it: couples, and what balances, by their sizes, for senses are drawn.
-
-    Where both methods found opposite senses, their signs stay, and where a force at a tool is sought that of
-    what the groups leave at the drive. Their difference is that of the two sizes as they are printed.
-    """
-    made, value = FORCES_PLAN.on(drawn), column.value.copy()
-    if column.letter in {one.letter for one in made.loads.couples_on_lever}:
-        value = np.abs(value)
-    for one in made.balanced:
-        if column.segment not in (names := names_of(made, one)):
-            continue
-        apart, *sizes = (
-            np.broadcast_to(drawn.reading[mark][:1], (1, len(drawn.names)))[0]
-            for mark in (one.difference, one.balance, one.lever.balance)
-        )
-        if column.segment != names.difference:
-            if made.tool is None:
-                value = np.where(sizes[0] * sizes[1] > 0.0, np.abs(value), value)
-            continue
-        for k in np.flatnonzero(np.isfinite(value[0])):
-            value[0, k] = round(float(apart[k]), drawn.percent_decimals)
-    return replace(column, value=value)
 
 
 def _diagrams(drawn: Drawn, lettered: bool) -> list[Drawing]:

@@ -26,6 +26,7 @@ from graphic_tmm.chapters.forces.views import force_table, force_views
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.given import drawn_as
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Ink, Stroke, line
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.shapes import shape
@@ -105,17 +106,32 @@ def test_arrows_on_a_detached_group_are_of_conventional_length() -> None:
 
 
 @pytest.mark.slow
-def test_couples_stand_in_the_printed_table_by_their_sizes() -> None:
-    """Their senses are drawn; machines are told them by signs."""
+def test_couples_and_what_balances_stand_in_the_printed_table_with_their_signs() -> None:
+    """As machines are told them: the sheet, the note and `table` say the same."""
     work = drawn("lever")
-    couples = {one.letter for one in FORCES_PLAN.on(work).loads.couples_on_lever}
-    told = [c.value for c in force_columns(work) if c.letter in couples]
-    assert any((row < 0.0).any() for row in told)
     (table,) = force_table(work, True)
-    rows = {label.at.imag for label in table.labels if label.text.startswith("M_{и")}
-    assert len(rows) == len(couples)
-    figures = [label.text for label in table.labels if label.at.imag in rows]
-    assert not any(text.startswith("−") and len(text) > 1 for text in figures)
+    (place,) = FORCES_PLAN.on(work).places
+    printed = {
+        label.text: float(figures[-1].text.replace("−", "-").replace(",", "."))
+        for label in table.labels
+        if label.text.startswith(("M_{и", "P_{ур"))
+        for figures in [
+            sorted(
+                (one for one in table.labels if one.at.imag == label.at.imag),
+                key=lambda one: one.at.real,
+            )
+        ]
+    }
+    columns = {column.segment: column for column in force_columns(work)}
+    told = {
+        symbol(column.letter, "ru"): column.value[0][place]
+        for column in columns.values()
+        if column.letter.startswith("M_")
+    }
+    told["P_{ур}"] = columns["P_bal_forces"].value[0][place]
+    assert sum(value < 0.0 for value in told.values()) >= 3
+    for letter, value in told.items():
+        assert printed[letter] == pytest.approx(value, rel=1e-2), letter
 
 
 def test_couples_of_friction_stand_about_their_pins_and_forces_touch_the_circles() -> None:

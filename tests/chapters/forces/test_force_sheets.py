@@ -111,7 +111,7 @@ def check_driver(view: View, told: View) -> int:
         total, open_ = summed(own, mu)
         if line.startswith("M"):
             held = sum(s.number("value") for s in loads if s.data["segment"] == "Mb")
-            assert abs(abs(held) - printed.value) <= printed.half + FIGURES * printed.value
+            assert abs(held - printed.value) <= printed.half + FIGURES * abs(printed.value)
             assert abs(total + held) <= open_ + printed.half
         else:
             balance = next((s for s in loads if s.data["segment"] == "Pb"), None)
@@ -120,6 +120,7 @@ def check_driver(view: View, told: View) -> int:
             held, off = moment(balance)
             tolerance = open_ + off * mu + printed.half * abs(balance.number("arm")) * mu
             assert abs(total + held * mu) <= tolerance, line
+            assert held * printed.value >= 0.0, line
         checked += 1
     return checked
 
@@ -144,6 +145,7 @@ def check_lever(view: View, told: View) -> None:
             assert abs(abs(printed.value) - one.number("value")) <= printed.half + FIGURES * abs(
                 printed.value
             )
+            assert one.number("arm") * printed.value >= 0.0, line
 
 
 def called(letter: str) -> str:
@@ -164,14 +166,17 @@ def senses(view: View) -> dict[str, int]:
 
 
 def check_letters(view: View, told: View) -> int:
-    """Every ΣM = 0 holds by its letters with the sizes that are printed, signs as what acts is drawn."""
+    """Every ΣM = 0 holds by its letters with what is printed, signs as what acts is drawn.
+
+    What is sought keeps its own sign: where it is negative it is drawn against the sign of its term.
+    """
     checked, written_out = 0, lines(told)
     exact = {figure for text in view.words for figure in re.findall(r"(?:μ_\w|k) = (\S+)", text)}
     known = {worked(figure.rstrip(",")).value for figure in exact}
     arrows = senses(view)
     sizes = {text.split(" ")[0]: result(text) for text in written_out if not text.startswith("ΣM")}
     for name, size in sizes.items():
-        assert size.value >= 0.0 or re.fullmatch(r"P_(ур|b)\d*", name), name  # a rod may pull
+        assert size.value >= 0.0 or re.match(r"[PM]_(ур|b)|R.*\^[τt]$", name), name
     for heading, given in pairwise(written_out):
         if not (heading.startswith("ΣM") and heading.endswith(" = 0")):
             continue
@@ -191,7 +196,9 @@ def check_letters(view: View, told: View) -> int:
         left = worked(written(by_letters, put), known)
         largest = max(abs(worked(written(term, put)).value) for term in _terms(by_letters))
         assert abs(left.value) <= left.half + FIGURES * largest, heading
-        for sign, factors in signed(by_letters):
+        against = -1 if size[1].startswith("−") else 1
+        for term, factors in signed(by_letters):
+            sign = term * (against if sought in factors else 1)
             back = "−" if any("_(−" in name for name in factors) else ""  # the other of a pair
             drawn_as = {
                 arrows[back + name] for name in map(called, factors) if back + name in arrows
@@ -352,8 +359,8 @@ def test_the_difference_of_both_methods_is_that_of_the_printed_sizes() -> None:
                 both = next(word for word in view.words if re.match(r"[PM]_(ур|b)\d* = .*, ", word))
                 first, second = (result(part) for part in both.split(", "))
                 apart = worked(text.split(" ")[2])
-                percent = 100.0 * abs(first.value - second.value) / first.value
-                open_ = 100.0 * (first.half + second.half) / first.value
+                percent = 100.0 * abs((first.value - second.value) / first.value)
+                open_ = 100.0 * (first.half + second.half) / abs(first.value)
                 assert abs(percent - apart.value) <= apart.half + open_
 
 

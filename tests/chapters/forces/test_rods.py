@@ -85,16 +85,20 @@ def test_a_weightless_rod_names_the_side_that_is_there_and_adds_no_step() -> Non
     assert [step.op.name for step in steps].count("meet") == 1
 
 
-def test_a_rod_that_pulls_is_printed_by_its_size_in_equation_table_and_lever() -> None:
+def test_a_rod_that_pulls_is_printed_with_its_sign_in_equation_table_and_lever() -> None:
     drawn = work(BOOM)
     (driven,) = FORCES_PLAN.on(drawn).driven
     pulls = drawn.reading[driven.balance][0, 3]
     assert pulls < 0.0
     found = sheet(drawn)
     equation = next(one for one in lines(found["equations"]) if one.startswith("P_b = "))
-    assert "−" not in equation
-    told = result(equation)
-    assert abs(told.value + pulls) <= told.half
+    mm, force = equation.removeprefix("P_b = ").split(" mm·")
+    assert mm.startswith("−")
+    told = result(force)
+    assert abs(told.value - pulls) <= told.half
+    both = next(one for one in lines(found["lever"]) if one.startswith("P_b = ")).split(", ")
+    assert [round(result(one).value, 1) for one in both] == 2 * [round(pulls, 1)]
     (table,) = force_table(drawn, lettered=True)
-    # both reactions of the leg, the force by the polygon and by the lever
-    assert [label.text for label in table.labels].count(f"{-pulls:.0f}") == 4
+    texts = [label.text for label in table.labels]
+    # both reactions of the leg by their sizes, the force by the polygon and by the lever
+    assert [texts.count(f"{sign}{-pulls:.0f}") for sign in ("", "−")] == [2, 2]
