@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from support.examples import most
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.curve import bezier, french_curve, over
+from graphic_tmm.board.operations.curve import arc_through, bezier, french_curve, over
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.values import Curve, Point
 
@@ -155,6 +155,15 @@ def test_a_reading_keeps_the_curve_over_the_row() -> None:
     assert isinstance(curve, Curve)
     assert curve.knots.shape == curve.tangents.shape == (1, 12)
     assert curve.closed
+
+
+def test_an_arc_has_the_opening_to_its_first_point_that_is_there() -> None:
+    points = np.array(
+        [[complex(np.nan, np.nan), 4j, 3.0], [2.0, 9.0, 9.0], [np.nan] * 3], dtype=complex
+    )
+    arc = arc_through.run(np.full((3, 3), 1.0 + 0j), points, turn=0)
+    assert arc.centre.shape == arc.radius.shape == (3, 1)
+    np.testing.assert_allclose(arc.radius[:, 0], [17.0**0.5, 1.0, np.nan])
 
 
 def test_over_a_knot_a_curve_has_its_height_also_where_it_is_upright() -> None:

@@ -1,7 +1,7 @@
 """The French curve: a C² curve through points that are equally spaced in the crank's angle.
 
 Through a closed row it is the periodic cubic spline; where some positions cannot be drawn, each run of
-drawable ones gets a natural spline of its own.
+drawable ones gets a natural spline of its own. A path that is an arc is drawn with the compass.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.grammar import CURVE, operation
-from graphic_tmm.board.values import Complexes, Curve, Point, Reals
+from graphic_tmm.board.values import Arc, Complexes, Curve, Point, Reals
 from graphic_tmm.language.said import said
 
 HALVINGS = 40
@@ -67,6 +67,24 @@ def open_curve(through: Point, *, row: int) -> Curve:
         for run in neighbours(np.isfinite(knots[trial]), closed=False):
             tangents[trial, run] = natural(knots[trial, run])
     return Curve(knots, tangents, False)
+
+
+@operation(
+    symbol="2C1 + C3",
+    across=True,
+    why=said(
+        "The link turns about {centre}: its point {through} keeps its distance from there, its path is an arc."
+    ),
+)
+def arc_through(centre: Point, through: Point, *, turn: int) -> Arc:
+    """With the compass at {centre} draw the arc {it} through the points {through}.
+
+    The opening is taken to the first of them that is there. ``turn``: how many positions make the row that
+    comes back to where it began; 0 where it does not.
+    """
+    pivot = centre[:, :1]
+    first = np.isfinite(through).argmax(axis=1)[:, None]
+    return Arc(pivot, np.abs(np.take_along_axis(through, first, axis=1) - pivot))
 
 
 @operation(

@@ -167,6 +167,13 @@ class Positions:
         """Return the mark of a letter, on whichever link it stands."""
         return next(body.marks[letter] for body in self.bodies.values() if letter in body.marks)
 
+    def pivot_of(self, letter: str, frame: int) -> Mark | None:
+        """Return the point of the frame about which a link of this letter turns, if one does."""
+        fixed = self.bodies[frame].marks
+        moving = (body for number, body in self.bodies.items() if number != frame)
+        held = (body.marks for body in moving if letter in body.marks)
+        return next((fixed[k] for marks in held for k in marks if k in fixed), None)
+
 
 def dyads(closings: Iterable[Closing], room: str) -> Iterator[Closing]:
     """Yield groups of two legs in the order of attachment; StructureError of one that a room does not treat."""

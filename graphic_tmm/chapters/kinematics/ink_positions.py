@@ -14,9 +14,8 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.curve import french_curve, open_curve
+from graphic_tmm.board.operations.curve import arc_through, french_curve, open_curve
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
-from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
@@ -37,12 +36,10 @@ from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.mark_rules import curve
-from graphic_tmm.paper.seen import Seen, Subject
+from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.symbols.kinematic import GROUND_LENGTH, fixed_pivot, round_arrow
 
-PATHS = (french_curve.name, open_curve.name)
-"""What draws the paths of points."""
 SWEEP = 70.0
 """The arrow of ω1 goes over so many degrees."""
 BESIDE, LONG = 9.0, 12.0
@@ -82,7 +79,7 @@ def draw_positions_ink(
     point, small = on.heights.point, on.heights.number
     places = [i for i in range(len(names)) if i not in shown.skipped]
     ink = PositionsInk(on.construction, on.reading, reaches, places)
-    traces = figure(ink.seen, Manner(dict.fromkeys(PATHS, curve("thin")), path_stays))
+    traces = figure(ink.seen, Manner(PATHS, path_stays))
     strokes: list[Ink] = [
         *ink.guides(),
         *ink.crank_circles(_arms(pairs, positions), whole=shown.whole),
@@ -131,9 +128,37 @@ def draw_position_ink(
     return traces.drawing(on, strokes, letters)
 
 
+def swept(centre: complex, radius: float, spots: Sequence[complex]) -> Stroke:
+    """Return the arc on which a point stands in these places, one near the next."""
+    way = np.degrees(np.unwrap([cmath.phase(z - centre) for z in spots]))
+    start, end = (float(way[k]) for k in sorted((int(way.argmin()), int(way.argmax()))))
+    return arc("thin", centre, radius, start, end - start)
+
+
+def _round(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """The path of a point about a pivot: as far as it goes over the row; a circle where it goes all round."""
+    centre, radius = seen.arc(step.it, k)
+    spots = {at: seen.point(step.uses[1], at) for at in seen.positions}
+    if not finite(centre, radius, *spots.values()) or len(spots) < 2:
+        return
+    turn = [cmath.phase(z - centre) for at, z in spots.items() if at < step.choice["turn"]]
+    way = np.unwrap([*turn, *turn[:1]])
+    whole = bool(turn) and abs(way[-1] - way[0]) > math.pi
+    path = circle("thin", centre, radius) if whole else swept(centre, radius, [*spots.values()])
+    yield path._replace(title=step.it.name)
+
+
+PATHS: Mapping[str, Rule] = {
+    french_curve.name: curve("thin"),
+    open_curve.name: curve("thin"),
+    arc_through.name: _round,
+}
+"""What draws the paths of points."""
+
+
 def path_stays(seen: Seen, step: Step) -> bool:
     """Whether what a step leaves is there at the end: only the paths of points are."""
-    return step.it.kind is Curve
+    return step.op.name in PATHS
 
 
 def clear_start(reach: float, bearing: float, sense: int, first: float = AHEAD) -> float:
@@ -213,10 +238,8 @@ class PositionsInk(LinksInk):
             pivot, pin = (self.at(mark, self.places[0]) for mark in crank)
             path = circle("thin", pivot, abs(pin - pivot))
             if not whole:
-                turns = [cmath.phase(self.at(crank[1], k) - pivot) for k in self.places]
-                way = np.degrees(np.unwrap(turns))
-                start, sweep = float(way[0]), float(way[-1] - way[0])
-                path = arc("thin", pivot, abs(pin - pivot), start, sweep)
+                spots = [self.at(crank[1], k) for k in self.places]
+                path = swept(pivot, abs(pin - pivot), spots)
             drawn += body([path], "circle", crank)
         return drawn
 

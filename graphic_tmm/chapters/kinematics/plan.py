@@ -10,7 +10,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.curve import french_curve, open_curve
+from graphic_tmm.board.operations.curve import arc_through, french_curve, open_curve
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
@@ -197,7 +197,8 @@ def record(bench: Bench) -> KinematicPlans:
             head="trajectories",
         )
     closes = closed(row, tried.pairs)
-    _draw_trajectories(draft, positions, scene.trajectories, row.count // turns, closed=closes)
+    number, in_turn = mechanism.frame.number, row.count // turns
+    _draw_trajectories(draft, positions, number, scene.trajectories, in_turn, closed=closes)
     velocities = accelerations = None
     called = bench.wanted | bench.needed.keys()
     by_drive, summed = tuple[ByDrive, ...](), tuple[Summed, ...]()
@@ -374,7 +375,13 @@ def _within(sweep: Sweep, value: float) -> float:
 
 
 def _draw_trajectories(
-    draft: Draft, positions: Positions, letters: Sequence[str], count: int, *, closed: bool
+    draft: Draft,
+    positions: Positions,
+    frame: int,
+    letters: Sequence[str],
+    count: int,
+    *,
+    closed: bool,
 ) -> None:
     for letter in letters:
         if not any(letter in body.marks for body in positions.bodies.values()):
@@ -383,5 +390,9 @@ def _draw_trajectories(
                 "plans.trajectories",
                 head="trajectories",
             )
-        curve = french_curve if closed else open_curve
-        draft.draw(curve, f"({letter}–{letter})", positions.point(letter), row=count)
+        name, point = f"({letter}–{letter})", positions.point(letter)
+        pivot = positions.pivot_of(letter, frame)
+        if pivot is not None:
+            draft.draw(arc_through, name, pivot, point, turn=count if closed else 0)
+            continue
+        draft.draw(french_curve if closed else open_curve, name, point, row=count)

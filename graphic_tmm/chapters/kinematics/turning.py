@@ -25,7 +25,6 @@ from graphic_tmm.page.strands import Moving, MovingFigures
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.formats import heights
-from graphic_tmm.paper.mark_rules import curve
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import (
@@ -140,7 +139,7 @@ def _about(drawn: Drawn, made: KinematicPlans) -> Drawing:
     left_out = {*drawn.undrawn, *made.repeated}
     places = [k for k in drawn.all if k not in left_out]
     ink = PositionsInk(drawn.construction, drawn.reading, reaches(drawn), places)
-    traces = figure(ink.seen, Manner(dict.fromkeys(PATHS, curve("thin")), path_stays))
+    traces = figure(ink.seen, Manner(PATHS, path_stays))
     strokes: list[Ink] = [*ink.crank_circles(made.arms, whole=made.ends is None), *traces.staying]
     for k in made.extremes:
         strokes += ink.thin(k, FULL) if k in places else []

@@ -10,8 +10,9 @@ from functools import cache
 import numpy as np
 import pytest
 import shapely
+from support.boards import drawn_of
 from support.each import each
-from support.gallery import NAMES, drawn
+from support.gallery import NAMES, SHEETS, drawn
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_positions import (
@@ -22,12 +23,15 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
 )
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
-from graphic_tmm.paper.drawing import Bezier, Drawing, Label, Stroke
+from graphic_tmm.chapters.kinematics.views import position_views
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Label, Stroke
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.seen import Subject
-from graphic_tmm.paper.shapes import box, shape
+from graphic_tmm.paper.shapes import box, outline, shape
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, round_arrow
+from graphic_tmm.scene.read import read
 
 ROOM = 14.0
 """A letter stands at most so far from where its place was guessed, mm."""
@@ -172,6 +176,47 @@ def test_trajectories_are_smooth_curves_through_their_points() -> None:
     for index in range(12):
         assert min(abs(z - at("engine", mark, index)) for z in controls) < 1e-6
     assert not [s for s in plan("windrower").strokes if isinstance(s, Bezier)]
+
+
+def paths(scene: str, *letters: str) -> tuple[Drawn, list[Ink]]:
+    """The paths of points on a plan of positions, by a hand without error."""
+    work = drawn_of(replace(read(SHEETS / scene), trajectories=letters), exact=True)
+    (view,) = position_views(work, True)
+    named = {f"({letter}–{letter})" for letter in letters}
+    return work, [s for s in view.strokes if isinstance(s, Stroke | Bezier) and s.title in named]
+
+
+@each(
+    "scene, letter, pivot, whole",
+    [
+        ("tipper", "S1", "O", False),
+        ("tipper", "N", "O", False),
+        ("crank-rocker", "A", "O", True),
+        ("crank-rocker", "B", "C", False),
+    ],
+)
+def test_the_path_of_a_point_about_a_pivot_is_an_arc_of_the_compass(
+    scene: str, letter: str, pivot: str, whole: bool
+) -> None:
+    """Over the row, a circle of what turns all round; the signs of pins stand upon it."""
+    work, pieces = paths(scene, letter)
+    assert all(isinstance(piece, Stroke) for piece in pieces)
+    positions = KINEMATICS_PLAN.on(work).positions
+    row = work.reading[positions.point(letter)][0]
+    centre = complex(work.reading[positions.point(pivot)].item())
+    on = [z - centre for piece in pieces for z in outline(piece)]
+    radius = abs(row[0] - centre)
+    assert max(abs(abs(z) - radius) for z in on) < 1e-6
+    ink = shapely.union_all([shape(piece) for piece in pieces])
+    assert max(ink.distance(shapely.Point(z.real, z.imag)) for z in row) < 2.0
+    far = [abs(np.angle(z / y)) for z in row - centre for y in row - centre]
+    due = 2.0 * math.pi * radius if whole else max(far) * radius
+    assert due - 8.0 < ink.length < due + 0.01
+
+
+def test_a_point_between_moving_links_goes_by_the_french_curve() -> None:
+    _, (path,) = paths("crank-rocker", "E")
+    assert isinstance(path, Bezier)
 
 
 def test_a_guide_is_hatched_over_the_travel_of_its_slider() -> None:
