@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +20,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure, Mark
 from graphic_tmm.chapters.kinematics.figures import CONTENTS, SLIDING, rigid
 from graphic_tmm.chapters.kinematics.ink_cylinder import Placed, cylinder
+from graphic_tmm.chapters.kinematics.ink_supports import supports
 from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
 from graphic_tmm.paper.drawing import Ink, Stroke, circle, line
 from graphic_tmm.paper.figure import body
@@ -127,6 +129,13 @@ class LinksInk:
         way, through = self.along(figure, index), self.foot(figure, index)
         holder = self.spots(figure.name, index)[self.reaches[figure].anchor]
         return holder + 1j * ((through - holder) / way).imag * way, holder
+
+    @cached_property
+    def supports(self) -> dict[Mark, float]:
+        """By how much the support of each fixed pivot is turned, degrees; see `supports`."""
+        pivots = [mark for mark in self.frame.marks if mark in self.joined]
+        rails = [self.rail(figure) for figure in self.of(self.frame.name, "guide")]
+        return supports(self.figures, self.reading, pivots, rails)
 
     def cylinder(self, figure: Figure, index: int) -> Placed:
         """Return the cylinder in which a piston slides or that a guide is, in one position."""

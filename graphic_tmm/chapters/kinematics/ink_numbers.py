@@ -290,10 +290,11 @@ Tried = tuple[complex, complex, float]
 def _tried(ink: LinksInk, name: str, main: int) -> Iterator[Tried]:
     """Yield where the number of a link may stand: beside its lines, about its slider, beside a fixed pivot."""
     if name == ink.frame.name:
-        for mark in (one for one in ink.frame.marks if one in ink.joined):
-            for side in (1.0, -1.0):
-                foot = ink.at(mark, main) + complex(side * GROUND_LENGTH / 2, -FOOT_HEIGHT)
-                yield from ((foot, side * away + 0j, 0.0) for away in AWAY)
+        for mark, angle in ink.supports.items():
+            turn = cmath.rect(1.0, math.radians(angle))
+            for side in (turn, -turn):
+                foot = ink.at(mark, main) + side * GROUND_LENGTH / 2 - 1j * turn * FOOT_HEIGHT
+                yield from ((foot, side * away, 0.0) for away in AWAY)
         return
     for stroke in ink.lines(name, main, MAIN):
         assert isinstance(stroke, Stroke)

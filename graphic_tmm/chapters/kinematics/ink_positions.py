@@ -226,7 +226,8 @@ class PositionsInk(LinksInk):
         made = list[Ink]()
         for mark in self.frame.marks:
             if mark in self.joined:
-                made += body(fixed_pivot(self.at(mark, 0)), "pivot", [mark])
+                support = fixed_pivot(self.at(mark, 0), self.supports[mark])
+                made += body(support, "pivot", [mark])
             else:
                 made += self.point(mark, None)
         return made
@@ -300,7 +301,8 @@ class PositionsInk(LinksInk):
         pivot, pin = (self.at(mark, main) for mark in crank)
         reach = min(10.0, 0.6 * abs(pin - pivot))
         bearing = float(np.degrees(np.angle(pin - pivot)))
-        start = clear_start(reach, bearing, sense, first)
+        foot = self.supports.get(crank[0], 0.0)
+        start = clear_start(reach, bearing - foot, sense, first) + foot
         out = cmath.rect(1.0, math.radians(start + sense * SWEEP / 2))
         return Bow(pivot, reach, start, pivot + reach * out, out)
 

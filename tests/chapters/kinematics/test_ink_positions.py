@@ -18,6 +18,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.ink_positions import (
     SWEEP,
     PositionsFigure,
+    PositionsInk,
     clear_start,
     draw_positions_ink,
 )
@@ -267,6 +268,31 @@ def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) ->
     full, bare = bounds(plan(name)), bounds(plan(name, lettered=False))
     assert all(circled(label, plan(name)) for label in plan(name, lettered=False).labels)
     assert all(abs(x - y) < ROOM for x, y in zip(full, bare, strict=True))
+
+
+@each("scene, turned", [("gripper", "M"), ("toggle-press", "C"), ("windrower", "B")])
+def test_no_link_runs_through_the_support_of_its_pivot(scene: str, turned: str) -> None:
+    """In any position; that of a crank, which runs through every side, hangs down."""
+    work = drawn_of(read(SHEETS / scene), exact=True)
+    made = KINEMATICS_PLAN.on(work)
+    ink = PositionsInk(work.construction, work.reading, reaches(work), [0])
+    pin = work.reading[made.positions.point(turned)].item()
+    foot = [one for one in ink.pivots() if one.of == (made.positions.point(turned).slot,)]
+    stands = shapely.union_all([shape(one) for one in foot]).convex_hull
+    stands = stands.difference(shapely.Point(pin.real, pin.imag).buffer(2.5))
+    for name in ink.names:
+        for k in range(len(work.names)):
+            lines = [shape(one) for one in ink.lines(name, k, ("thin", "thin"))]
+            assert not shapely.union_all(lines).intersects(stands), (name, k)
+    assert all(ink.supports[crank] == 0.0 for crank, _ in made.arms)
+
+
+def test_the_number_of_the_frame_stands_at_a_turned_support() -> None:
+    work = drawn_of(read(SHEETS / "toggle-press"), exact=True)
+    (view,) = position_views(work, True)
+    (frame,) = [one for one in view.labels if one.text == "6" and circled(one, view)]
+    c = work.reading[KINEMATICS_PLAN.on(work).positions.point("C")].item()
+    assert 0.0 < (frame.at - c).imag < 12.0
 
 
 @each("sense", [1, -1])
