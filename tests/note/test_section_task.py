@@ -71,8 +71,8 @@ def test_the_task_of_a_gripper_tells_where_its_rod_is_counted_from_and_where_for
     """Without both nobody else could draw it."""
     told = stated(scene("gripper"), "en")
     assert "s is counted along x; K stands at s = 60 mm." in told
-    assert "F_3 acts at E of link 3, at 90° to the x axis." in told
-    assert "F_5 acts at D of link 5, at −90° to the x axis." in told
+    assert "F_3 acts at E of link 3, at the angle 90° to the x axis." in told
+    assert "F_5 acts at D of link 5, at the angle −90° to the x axis." in told
 
 
 def test_the_stroke_of_a_rod_is_called_by_both_its_pins() -> None:

@@ -142,7 +142,7 @@ _SPRING = said(
     "length {ends}."
 )
 _AT = said("{letter} acts at {point} of link {link}.")
-_AT_ANGLE = said("{letter} acts at {point} of link {link}, at {angle}° to the x axis.")
+_AT_ANGLE = said("{letter} acts at {point} of link {link}, at the angle {angle}° to the x axis.")
 _ON_LINE = said(
     "{letter} is what link {other} does to link {link}; the opposite force acts on link {other}, on the same "
     "line."
