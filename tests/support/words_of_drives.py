@@ -271,7 +271,8 @@ NO_ROD = (r"\brods? runs?\b", r"шток\w* выдвига", r"\bcylinder", r"\b
 OPEN = (r"equally spaced positions of the cranks?", r"равноотстоящ\w+ положени\w+ кривошип")
 """What is said of a whole turn only."""
 DRAWN_AT = re.compile(
-    r"at the angle (\", \")?[−\d.,]+°(\",)? \"? ?to the x axis|под углом (\", \")?[−\d.,]+°(\",)? \"? ?к оси x"
+    r"at\s+the\s+angle\s+(\", \")?[−\d.,]+°(\",)?\s+\"? ?to\s+the\s+x\s+axis"
+    r"|под\s+углом\s+(\", \")?[−\d.,]+°(\",)?\s+\"? ?к\s+оси\s+x"
     r"|(Protractor|Транспортир)[^\"]*°|turned by 90°|[Пп]овёрнут\w* на 90°"
 )
 """Angles that a line is drawn at, however the mechanism is driven; the plan of velocities that is turned."""
