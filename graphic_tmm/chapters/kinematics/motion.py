@@ -154,12 +154,12 @@ def _ends(step: Step, by_mark: dict[Mark, Step]) -> tuple[Mark, Mark, str] | Non
     return None
 
 
-def component(draft: Draft, segment: Mark, part: str, *images: str) -> None:
+def component(draft: Draft, segment: Mark, part: str, *images: str, of: str = "a") -> None:
     """Tell which component of an acceleration a segment is: normal, tangential, Coriolis (k), relative (r).
 
-    ``images``: the letters of the point that it is of, and of the one it is about.
+    ``images``: the letters of the point that it is of, and of the one it is about; ``of``: "v" of a velocity.
     """
-    draft.figure(roles.COMPONENT, f"a_{{{''.join(images).upper()}}}^{{{part}}}", segment)
+    draft.figure(roles.COMPONENT, f"{of}_{{{''.join(images).upper()}}}^{{{part}}}", segment)
 
 
 @dataclass

@@ -26,6 +26,7 @@ from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
     Images,
     Motion,
+    component,
     hang_group,
     hang_passive,
     hold,
@@ -91,7 +92,7 @@ def _group(
             case PinLeg():
                 draw = turn.across
                 if leg.rod in plan.speeds:
-                    start = _rod_out(draft, plan, turn, leg, start)
+                    start, draw = _rod_out(draft, plan, turn, leg, start), turn.with_cylinder
             case GuideLeg():
                 draw = turn.along
             case _:
@@ -144,5 +145,7 @@ def _read(
         plan.rates[leg.link] = draft.draw(
             rate, f"ω_{leg.link}", segment, leg.length, unit="1/s", why=why.OMEGA
         )
+        if leg.link in plan.outs:
+            component(draft, segment, "t", point.name, leg.letter, of="v")
         if leg.rod:
             plan.rates[leg.rod] = plan.rates[leg.link]

@@ -28,6 +28,13 @@ class VelocityLines(NamedTuple):
         because = why.ABOUT_FIXED if fixed else why.ABOUT_MOVING
         return self.draft.draw(square, name, through, to, sense=1, why=because)
 
+    def with_cylinder(self, name: str, through: Mark, to: Mark, fixed: bool) -> Mark:
+        """Draw the line of what is left of a rod's velocity: square to it (in the turned plan: along it)."""
+        if self.turned:
+            sense, because = self.sense, why.ROD_TURNS_TURNED
+            return self.draft.draw(parallel, name, through, to, sense=sense, why=because)
+        return self.draft.draw(square, name, through, to, sense=1, why=why.ROD_TURNS)
+
     def out(self, name: str, through: Mark, to: Mark) -> Mark:
         """Draw the line of the velocity of a rod seen from its cylinder (in the turned plan: square to it)."""
         if self.turned:

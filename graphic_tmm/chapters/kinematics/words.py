@@ -72,6 +72,14 @@ ROD_OUT_TURNED = said(
     "The rod runs out of the cylinder along {to} at the speed that is given; on a plan turned by 90° it is "
     "square to it."
 )
+ROD_TURNS = said(
+    "The rod turns together with its cylinder: the other part of the velocity of one pin about the other is "
+    "square to {to}, its amount is not known yet."
+)
+ROD_TURNS_TURNED = said(
+    "The rod turns together with its cylinder: the other part of the velocity of one pin about the other is "
+    "square to {to}; on a plan turned by 90° it is drawn along {to}."
+)
 ROD_CORIOLIS = said(
     "The cylinder turns while its rod runs out: to the relative velocity belongs the Coriolis acceleration, "
     "square to {to}; the signs of ω and of the relative velocity decide to which side."

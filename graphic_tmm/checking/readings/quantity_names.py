@@ -8,8 +8,8 @@ from collections.abc import Iterator
 _COMPONENTS = {**dict.fromkeys("nн", "n"), **dict.fromkeys("tτт", "t"), **dict.fromkeys("rр", "r")}
 _COMPONENTS |= dict.fromkeys(("k", "к", "кор", "cor", "c"), "k")
 _POINTS = r"(?:[A-ZА-Я]\d*′*)"
-_FRONT = re.compile(rf"a({'|'.join(_COMPONENTS)})({_POINTS}+)")
-_BACK = re.compile(rf"a({_POINTS}+)({'|'.join(_COMPONENTS)})")
+_FRONT = re.compile(rf"([av])({'|'.join(_COMPONENTS)})({_POINTS}+)")
+_BACK = re.compile(rf"([av])({_POINTS}+)({'|'.join(_COMPONENTS)})")
 _PAIR = re.compile(rf"([vVa])({_POINTS})({_POINTS})([ntrk]?)")
 _INERTIA = re.compile(r"[FФ](?:и|i|ин|in)(\d.*)")
 _REACTION = re.compile(r"([RFNQ])(\d)(\d)(.*)")
@@ -24,9 +24,9 @@ def respelt(word: str) -> Iterator[str]:
     (['aDCn'], ['aDCt'], ['pd'], ['Pи2'])
     """
     if found := _FRONT.fullmatch(word):
-        yield f"a{found[2]}{_COMPONENTS[found[1]]}"
-    elif (found := _BACK.fullmatch(word)) and found[2] != _COMPONENTS[found[2]]:
-        yield f"a{found[1]}{_COMPONENTS[found[2]]}"
+        yield f"{found[1]}{found[3]}{_COMPONENTS[found[2]]}"
+    elif (found := _BACK.fullmatch(word)) and found[3] != _COMPONENTS[found[3]]:
+        yield f"{found[1]}{found[2]}{_COMPONENTS[found[3]]}"
     if found := _BETWEEN.fullmatch(word):
         yield found[1] + found[2]
     if len(word) > 2 and word[0] == word[-1] == "|":

@@ -7,10 +7,12 @@ import re
 import numpy as np
 import pytest
 from support.boards import drawn_of
+from support.driven_scenes import BOOM, OUT, scene
 from support.each import each
 from support.gallery import PLANS, in_usual
 from support.words_of_drives import FIVE_BAR, OPEN_CRANK, TURNS
 
+import graphic_tmm
 from graphic_tmm import read
 from graphic_tmm.board.record import Construction, Mark, segment_name
 from graphic_tmm.board.values import Length
@@ -18,6 +20,7 @@ from graphic_tmm.chapters.kinematics.ink_plans import draw_equations
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.views import acceleration_equations, velocity_equations
 from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
+from graphic_tmm.readers.table import columns_of
 
 
 def _lettered(log: Construction, plan: str, letter: str) -> Mark | None:
@@ -208,3 +211,29 @@ def lettered(name: str, plan: str, language: str) -> list[str]:
     log = in_usual(name).project.construction
     view = draw_equations(log, plan, "Equations", found(name, plan), language=language)
     return [label.text for label in view.labels]
+
+
+@each("way", ["", '[plans]\nvelocities = "turned"\n'])
+def test_a_rod_runs_out_and_turns_with_its_cylinder(way: str) -> None:
+    """Every letter names a point of the scheme: what is left of v_NG beside v_r is square to the rod."""
+    accelerates = OUT + 'accelerations = "all"\n' + way
+    work = drawn_of(scene(BOOM, accelerates), exact=True)
+    (velocity,) = equations(work.construction, "velocities", turned=bool(way))
+    assert velocity.text == "v_N = v_r + v_NG^t"
+    assert velocity.directions == "v_{N} ⊥ ON, v_r ∥ GN, v_{NG}^{t} ⊥ GN"
+    (acceleration,) = equations(work.construction, "accelerations")
+    assert acceleration.text == "a_N = a_NO^n + a_NO^t = a_NG^k + a_NG^n + a_NG^t"
+    (column,) = (c for c in columns_of(work) if c.quantity == "v_{NG}^{t}")
+    lengths = np.linspace(0.6, 0.85, 6)
+    motion = graphic_tmm.motion(scene(BOOM, OUT), lengths, exact=True)
+    due = np.abs(motion.omega[2]) * lengths
+    np.testing.assert_allclose(column.value[0], due, rtol=1e-9)
+    why = {step.it.key: step.why for step in work.construction.steps}
+    assert "turns together with its cylinder" in why["velocities", "(k2n)"]
+
+
+def test_a_rod_that_is_held_in_its_cylinder_is_a_rigid_link() -> None:
+    work = in_usual("excavator")
+    first, second = equations(work.project.construction, "velocities by drive 3")
+    assert first.text == "v_N = v_r3 + v_NG^t"
+    assert second.text == "v_M = v_B + v_MB = v_H + v_MH"
