@@ -196,7 +196,8 @@ def _direction(line: Step, turned: bool) -> str:
     ends = ends_of(of)
     along = (line.op is parallel) != turned
     guide = re.sub(r"^([A-Za-z])(\d+)$", r"\1_{\2}", of)
-    if along and line.choice["sense"] < 0 and len(ends) == 2:
+    # square to a direction, the sense of a turned plan's line is that of its turn
+    if along and not turned and line.choice["sense"] < 0 and len(ends) == 2:
         return f"{ends[1]} → {ends[0]}"
     return f"{'∥' if along else '⊥'} {of if len(ends) > 1 else f'{guide}–{guide}'}"
 
