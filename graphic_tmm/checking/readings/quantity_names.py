@@ -22,6 +22,8 @@ def respelt(word: str) -> Iterator[str]:
 
     >>> list(respelt("anDC")), list(respelt("aτDC")), list(respelt("p-d")), list(respelt("Fи2"))
     (['aDCn'], ['aDCt'], ['pd'], ['Pи2'])
+    >>> list(respelt("vτNG"))
+    ['vNGt']
     """
     if found := _FRONT.fullmatch(word):
         yield f"{found[1]}{found[3]}{_COMPONENTS[found[2]]}"
