@@ -21,8 +21,8 @@ BESIDE = 0.8
 """Clear width between a number and the perpendicular of its position, mm."""
 FAR = (0.0, 1.0)
 """How much farther along the axis a number is tried that a curve is in the way of, mm."""
-BETWEEN = 1.6
-"""Clear width between two numbers at least, mm."""
+BETWEEN, WORDS = 1.6, 6 / 14
+"""Clear width between two numbers at least, mm, and in their heights: that of words of type A (ГОСТ 2.304)."""
 EVERY = (1, 2, 5, 10, 20, 50, 100)
 """Of positions that stand too close for their numbers every second, fifth … bears one."""
 _HEAVY, _LIGHT, _LABEL, _FOOT, _FAR = 60.0, 0.3, 500.0, 12.0, 0.1
@@ -139,12 +139,17 @@ def base_figures(
         level = np.tile([low, high], 3)
         free = ink.costs(left, level, left + wide, level + size) < _HEAVY
         for start, end in taken:
-            free &= (left >= end + BETWEEN) | (left + wide <= start - BETWEEN)
+            free &= (left >= end + _apart(size)) | (left + wide <= start - _apart(size))
         if free.any():
             best = int(np.argmax(free))
             found.append(Label(text, complex(left[best], level[best]), size))
             taken.append((left[best], left[best] + wide))
     return tuple(found)
+
+
+def _apart(size: float) -> float:
+    """Return the clear width between two numbers of a height, mm."""
+    return max(BETWEEN, WORDS * size)
 
 
 def _thinned(row: Sequence[Named], size: float) -> list[Named]:
@@ -153,7 +158,7 @@ def _thinned(row: Sequence[Named], size: float) -> list[Named]:
     apart = np.diff(feet)
     pitch = float(np.min(apart, initial=np.inf, where=apart > 1e-6))
     widest = max((letter(one.text, size=size).width for one in row), default=0.0)
-    every = next((n for n in EVERY if n * pitch >= widest + BETWEEN), EVERY[-1])
+    every = next((n for n in EVERY if n * pitch >= widest + _apart(size)), EVERY[-1])
     return [one for k, one in enumerate(row) if k % every == 0]
 
 
@@ -244,10 +249,10 @@ def _level(
     tried = np.round(np.concatenate(whole, axis=1), 6)
     sides = np.repeat(range(len(levels)), starts.shape[1])
     labels: list[Label] = []
-    taken, side = np.full(len(levels), -math.inf), 0
+    taken, side, apart = np.full(len(levels), -math.inf), 0, max(2 * beside, _apart(size))
     for k, one in enumerate(ordered):
         again = np.tile(starts[k], len(levels))
-        costs = tried[k] + _LABEL * (again < taken[sides] + 2 * beside)
+        costs = tried[k] + _LABEL * (again < taken[sides] + apart)
         costs = costs + np.where((sides == 1) & (side == 1), _STAYS, np.array(moved)[sides])
         best = int(np.argmin(costs))
         if costs[best] >= _LABEL:

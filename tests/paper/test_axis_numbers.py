@@ -14,6 +14,7 @@ from hypothesis import strategies as st
 from graphic_tmm.paper.axes import on_axis, position_numbers
 from graphic_tmm.paper.drawing import Label, line
 from graphic_tmm.paper.labels import Named
+from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.shapes import box, shape
 from graphic_tmm.paper.symbols.dimensions import angular
 
@@ -106,6 +107,19 @@ def test_of_positions_too_close_for_their_numbers_some_bear_one() -> None:
     for count, every in ((12, 1), (36, 2), (72, 5), (360, 50)):
         labels = position_numbers(*row(count, 120.0), [], SIZE)
         assert [label.text for label in labels] == [str(k) for k in range(0, count, every)] + ["0"]
+
+
+@pytest.mark.parametrize("length", [90.0, 140.0, 160.0])
+@pytest.mark.parametrize("size", [8.0, 9.8])
+def test_large_numbers_do_not_run_together(size: float, length: float) -> None:
+    """As on a figure of a note: side by side they are as far apart as words are, however large they are."""
+    feet, others = row(12, length)
+    curve = [line("main", *wave(length, 60.0, 0.5, math.pi)), line("main", -10 + 3j, 25 - 30j)]
+    labels = position_numbers(feet, others, curve, size)
+    assert len(labels) > 3
+    for one, other in pairwise(labels):
+        end = one.at.real + letter(one.text, size=size).width
+        assert one.at.imag != other.at.imag or other.at.real - end > 0.4 * size
 
 
 def test_a_position_that_is_not_there_bears_no_number() -> None:
