@@ -38,7 +38,6 @@ ALLOWED = {
     "page/values.py: ' ' not in column.letter",
     # the side that closes a polygon is called by the force that its length was read for
     "readers/equations.py: closing.it.name.removeprefix('y_{')",
-    "chapters/forces/views.py: column.letter in {one.letter for one in made.loads.couples_on_lever}",
     # the sides of conditions are told once each, by what they are called
     "chapters/planetary/table.py: found.setdefault(plain(mark.name), mark)",
     # words that stand for the name of a column
