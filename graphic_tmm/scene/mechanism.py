@@ -45,14 +45,16 @@ class Joints:
 
     def length(self, metres: float) -> str:
         """Return a length as a scene says it; "" of one that is nothing."""
-        if abs(metres) < self.near:
-            return ""
+        return "" if abs(metres) < self.near else self.rounded(metres)
+
+    def rounded(self, metres: float) -> str:
+        """Return a length of a link as a scene says it, however short; "" of one that is nothing."""
         rounded = round(metres / self.to) * self.to if self.to else metres
         return f"{1000.0 * rounded:.{DIGITS}g} mm" if rounded else ""
 
     def point(self, place: complex) -> list[Any]:
         """Return a point as a scene says it; one that is nearly on the x axis on it."""
-        return [self.length(place.real) or 0, self.length(place.imag) or 0]
+        return [self.rounded(place.real) or 0, self.length(place.imag) or 0]
 
     def angle(self, degrees: float, reach: float) -> str:
         """Return the angle of a slider whose own x axis is so long, m; "" of one that is nothing."""

@@ -69,6 +69,9 @@ def understood(
 def _scene(file: Path, text: str | None, doc: Document, missing: Callable[[str], str]) -> Scene:
     with measuring(measures(doc)):
         own, told = joints.expanded(doc)
+        if any(one.fault for one in told):
+            # what else were told would come of links that nobody can place
+            raise SceneError(str(file), _in_order(text or "", doc, told))
         parts, found = understand(own)
         found.extend(told)
         faults = [one for one in found if one.fault]

@@ -109,6 +109,13 @@ def test_what_a_hand_meant_is_written_as_a_person_would() -> None:
     assert table.positions[0] == "0"
 
 
+def test_a_crank_that_is_shorter_than_near_is_a_crank() -> None:
+    """Only what lies off a line may be put on it."""
+    short = SLOTTED.replace('A = ["70 mm", "85 mm"]', 'A = ["1.2 mm", "1.6 mm"]')
+    doc, _ = expanded(tomllib.loads(short))
+    assert doc["link"][0]["points"]["A"] == ["2 mm", 0]
+
+
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [
@@ -130,8 +137,10 @@ def test_what_a_hand_meant_is_written_as_a_person_would() -> None:
 )
 def test_what_is_wrong_with_joints_is_told(old: str, new: str, says: str) -> None:
     assert old in SLOTTED
-    with pytest.raises(SceneError, match=says):
+    with pytest.raises(SceneError, match=says) as refused:
         graphic_tmm.read(SLOTTED.replace(old, new))
+    # what would come of it is not told besides
+    assert len(refused.value.faults) == 1
 
 
 def test_a_joint_of_no_link_is_remarked_only() -> None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator
 
+import numpy as np
+
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.driving import Driven
@@ -33,6 +35,7 @@ from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimals_of, fixed, number
+from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
@@ -309,6 +312,12 @@ def _sought(drawn: Drawn, tool: Tool, at: Callable[[Mark], float]) -> list[str]:
     ]
 
 
+COUPLES = said(
+    "A couple is positive counter-clockwise; in sums of moments it stands by its size, with the sign of its "
+    "arrow."
+)
+
+
 def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the table of forces."""
     columns = force_columns(drawn) if FORCES_PLAN.of(drawn) is not None else ()
@@ -318,7 +327,9 @@ def force_table(drawn: Drawn, lettered: bool) -> list[Drawing]:
     high = heights(drawn.scene, "force table")
     language = drawn.scene.language
     table = result_table("forces", rows, drawn.names, language, heights=high)
-    lines = pin_sentences(drawn, language)
+    lines = [*pin_sentences(drawn, language)]
+    if any(column.unit == "N·m" and np.any(column.value < 0.0) for column in rows):
+        lines.append(speaking(language)(COUPLES))
     return [captioned(table, *lines, heights=high) if lines else table]
 
 

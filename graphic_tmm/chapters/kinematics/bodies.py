@@ -297,10 +297,9 @@ def incline_by(
     return draft.draw(incline, name, through, to, draft.direction(degrees), why=because)
 
 
-def nearest(body: Body, pair: Pair, levelled: float) -> str:
-    """Return the letter of the body's point that lies nearest to a level (m) of a guide."""
-    number = body.link.number
-    return min(body.own, key=lambda k: abs(levelled - level(pair, number, body.own[k])))
+def nearest(number: int, points: Mapping[str, complex], pair: Pair, levelled: float) -> str:
+    """Return the letter of a link's point (own axes) that lies nearest to a level (m) of a guide."""
+    return min(points, key=lambda k: abs(levelled - level(pair, number, points[k])))
 
 
 def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str) -> Mark:
@@ -309,7 +308,7 @@ def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str)
     The line starts from the point of the body that is nearest to it.
     """
     number = body.link.number
-    letter = nearest(body, pair, levelled)
+    letter = nearest(number, body.own, pair, levelled)
     own = body.own[letter]
     size = max(abs(own), abs(body.at), abs(levelled))
     by = levelled - level(pair, number, own)

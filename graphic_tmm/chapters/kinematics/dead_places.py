@@ -12,6 +12,7 @@ import numpy as np
 
 from graphic_tmm.board.geometry import wedge
 from graphic_tmm.board.operations.instruments import meet
+from graphic_tmm.board.operations.locus import narrow
 from graphic_tmm.board.values import Reals, undefined
 from graphic_tmm.chapters.kinematics.bodies import PinLeg, dyads
 from graphic_tmm.chapters.kinematics.fit import coordinate_text
@@ -35,8 +36,8 @@ SLIDER = said(
 PARALLEL = said(
     "At {at} both guides of group {group} are parallel and meet nowhere: the mechanism does not go past it."
 )
-HALVINGS, TURNED = 50, 1e-6
-"""How often the bracket of a place is halved; the sine of two guides that are parallel is less than this."""
+TURNED = 1e-6
+"""The sine of two guides that are parallel is less than this."""
 
 
 def dead_places(drawn: Drawn, language: str) -> Iterator[str]:
@@ -58,21 +59,18 @@ def _parallel(survey: Survey, group: str, ends: tuple[float, float] | None) -> l
         return []
 
     def sine(row: Reals) -> Reals:
-        first, second = (survey.at(row, step.uses)[mark].along for mark in step.uses)
-        return np.asarray(np.broadcast_to(wedge(first, second), row.shape)[0])
+        reading = survey.at(row, step.uses)
+        first, second = (reading[mark].along for mark in step.uses)
+        return np.asarray(np.broadcast_to(wedge(first, second), row.shape))
 
     row, _ = survey.whole([], ends)
     row = np.append(row[0], survey.sweep.high) if ends is None and survey.sweep.closed else row[0]
-    tried = sine(row[None, :])
-    if not tried.any():
-        return []
+    tried = sine(row[None, :])[0]
     at = np.flatnonzero(tried[:-1] * tried[1:] < 0.0)
-    low, high, begun = row[at], row[at + 1], np.sign(tried[at])
-    for _ in range(HALVINGS if at.size else 0):
-        middle = (low + high) / 2.0
-        same = np.sign(sine(middle[None, :])) == begun
-        low, high = np.where(same, middle, low), np.where(same, high, middle)
-    found = [*row[tried == 0.0], *low[np.abs(sine(low[None, :])) < TURNED]]
+    if not (tried.any() and (at.size or (tried == 0.0).any())):
+        return []
+    turned = narrow(sine, row[at, None], row[at + 1, None])
+    found = [*row[tried == 0.0], *turned[np.abs(sine(turned)) < TURNED]]
     return sorted(survey.sweep.within(float(place)) for place in found)
 
 

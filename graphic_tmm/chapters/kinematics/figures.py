@@ -97,7 +97,9 @@ def _stone(bodies: dict[int, Body], closing: Closing, leg: GuideLeg, slider: int
         return closing.root
     pair, held, body = pair_of(closing, leg), bodies[leg.link], bodies[leg.on]
     letter = next(k for k, mark in held.marks.items() if mark == closing.root)
-    return body.marks[nearest(body, pair, level(pair, leg.link, held.own[letter]))]
+    return body.marks[
+        nearest(body.link.number, body.own, pair, level(pair, leg.link, held.own[letter]))
+    ]
 
 
 def rigid(figures: Iterable[Figure], name: str) -> tuple[Mark, ...]:

@@ -10,6 +10,7 @@ from support.gallery import drawn
 
 from graphic_tmm.chapters.forces.ink_arrows import Arrows, ArrowText
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
+from graphic_tmm.chapters.forces.views import force_table
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.shapes import box, shape
@@ -44,3 +45,14 @@ def test_the_line_along_a_link_is_lettered_as_the_side_that_lies_on_it() -> None
         *_, first, second = polygon(work.construction, group.polygon.view)
         found += [one.line.letter for one in (first, second) if one.line is not None]
     assert found == ["(R_{65})", "(R_{34})", "(R_{63}^{n})", "(R_{23})"]
+
+
+def test_a_table_with_a_couple_below_nothing_says_how_sums_take_it() -> None:
+    """−8,59 in the table and "− M" in the sum would else be one sign too many."""
+
+    def said(name: str) -> bool:
+        (table,) = force_table(drawn(name), True)
+        return any(one.text.startswith(("A couple", "Пара сил")) for one in table.labels)
+
+    assert said("lever")
+    assert not said("gripper")

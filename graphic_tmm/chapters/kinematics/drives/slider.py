@@ -68,7 +68,7 @@ class Slider(DrivenPair):
         frame = bodies[self.mechanism.frame.number]
         height = level(pair, link.number, self.own)
         guide = draw_guide(draft, frame, pair, height, pair.name)
-        off = self._begins(frame, height)
+        off = self._begins(height)[1]
         if off:
             back = draft.take(Number, f"(−{pair.name}_{{0}})", -off, "m")
             at = draft.draw(run_out, "s′", at, back, unit="m", why=why.FROM_ITS_LINE)
@@ -89,21 +89,19 @@ class Slider(DrivenPair):
         draft.figure("slider", str(link.number), end, guide)
         draft.figure("guide", str(frame.link.number), end, guide)
 
-    def _begins(self, frame: Body, height: float) -> float:
-        """Return how far the drawn line of the guide begins from the point by which the guide is told, m."""
-        slide = self.pair.slide
+    def _begins(self, height: float) -> tuple[str, float]:
+        """Return the point at which the drawn guide begins, and how far from that by which it is told, m."""
+        slide, frame = self.pair.slide, self.mechanism.frame
         assert slide is not None
-        begins = frame.own[nearest(frame, self.pair, height)]
+        point = nearest(frame.number, frame.points, self.pair, height)
+        begins = frame.points[point]
         away = (begins - slide.guide.through) * turn(-slide.guide.angle)
-        return 0.0 if abs(away.real) <= ROUNDING * max(abs(away), abs(begins)) else away.real
+        straight = abs(away.real) <= ROUNDING * max(abs(away), abs(begins))
+        return point, 0.0 if straight else away.real
 
     def stated(self, language: str) -> Iterator[str]:
         """Tell where a point of the frame stands on the line along which it is counted."""
-        slide, points = self.pair.slide, self.mechanism.frame.points
-        assert slide is not None
-        height, frame = level(self.pair, self.link, self.own), self.mechanism.frame.number
-        point = min(points, key=lambda k: abs(height - level(self.pair, frame, points[k])))
-        away = ((points[point] - slide.guide.through) * turn(-slide.guide.angle)).real
+        point, away = self._begins(level(self.pair, self.link, self.own))
         size, mm = small(away, language)
         yield speaking(language)(
             _COUNTED,
