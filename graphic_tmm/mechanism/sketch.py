@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -73,6 +73,28 @@ def lying(
 
     links, passive = (tuple(map(moved, some)) for some in (mechanism.links, mechanism.passive))
     return replace(mechanism, links=links, passive=passive)
+
+
+def placed(drawn: Mechanism, places: Mapping[str, complex]) -> Mechanism:
+    """Return a mechanism that lies, with letters elsewhere, m; a guide through two letters follows these."""
+
+    def points(link: Link) -> dict[str, complex]:
+        return {letter: places.get(letter, z) for letter, z in link.points.items()}
+
+    def slide(one: Slide) -> Slide:
+        on = drawn.by_number[one.on]
+        if any(guide.name == one.guide.name for guide in on.guides):
+            return one
+        ends = {a + b: (z, w) for a, z in points(on).items() for b, w in points(on).items()}
+        start, end = ends[one.guide.name]
+        angle = math.degrees(cmath.phase(end - start))
+        return replace(one, guide=replace(one.guide, through=start, angle=angle))
+
+    def moved(link: Link) -> Link:
+        return replace(link, points=points(link), slides=tuple(map(slide, link.slides)))
+
+    links, passive = (tuple(map(moved, some)) for some in (drawn.links, drawn.passive))
+    return replace(drawn, frame=moved(drawn.frame), links=links, passive=passive)
 
 
 def poses_of(
@@ -161,10 +183,11 @@ def _rod(
     }
 
 
-def built(drawn: Mechanism, degrees: float = 0.0) -> Built:
+def built(drawn: Mechanism, degrees: float = 0.0, like: Mechanism | None = None) -> Built:
     """Return a mechanism that lies in one position with the lengths, offsets and sides that it has there.
 
     ``degrees``: of the crank in that position; sides of ``drawn`` count for the flips passed until there alone.
+    ``like``: links keep the own axes that they have in it, as far as their letters and guides tell these.
 
     Raises
     ------
@@ -172,7 +195,13 @@ def built(drawn: Mechanism, degrees: float = 0.0) -> Built:
         As `dissect`.
     """
     size = _size(z for link in drawn.by_number.values() for z in link.points.values())
-    poses = {link.number: _axes(link, size) for link in drawn.drawn}
+    known = {link.number: link for link in like.drawn} if like is not None else {}
+    poses = {
+        link.number: _axes(link, size)
+        if link.number not in known
+        else _axes_like(link, known[link.number], size)
+        for link in drawn.drawn
+    }
     poses[drawn.frame.number] = Pose()
     bare = {link.number: _own(link, poses, size) for link in drawn.links}
     structure = dissect(replace(drawn, links=tuple(bare.values())))
@@ -206,6 +235,42 @@ def _axes(link: Link, size: float) -> Pose:
     if other is not None:
         return Pose(origin, math.degrees(cmath.phase(other - origin)))
     return Pose(origin, guides[0].angle if guides else 0.0)
+
+
+def _axes_like(link: Link, like: Link, size: float) -> Pose:
+    """Return where the own axes of a link that lies somewhere are put, that they lie in it as in another.
+
+    The letter at the origin stays there, the next on the x axis on this.
+    """
+    row = [letter for letter in like.points if letter in link.points]
+    row.sort(key=lambda letter: abs(like.points[letter]) > SAME * size)
+    if not row:
+        return _axes(link, size)
+    origin, was = link.points[row[0]], like.points[row[0]]
+    others = [
+        letter
+        for letter in row[1:]
+        if min(abs(link.points[letter] - origin), abs(like.points[letter] - was)) > SAME * size
+    ]
+    others.sort(key=lambda letter: abs((like.points[letter] - was).imag) > SAME * size)
+    if others:
+        way = (link.points[others[0]] - origin) / (like.points[others[0]] - was)
+        angle = math.degrees(cmath.phase(way))
+    else:
+        angle = next(_angles_like(link, like), _axes(link, size).angle)
+    return Pose(origin - was * turn(angle), angle)
+
+
+def _angles_like(link: Link, like: Link) -> Iterator[float]:
+    """Yield the directions (degrees) of a link's x axis by which slides and guides lie in it as in another."""
+    known = {(one.on, one.guide.name): one.angle for one in like.slides}
+    for slide in link.slides:
+        if (slide.on, slide.guide.name) in known:
+            yield slide.guide.angle + known[slide.on, slide.guide.name]
+    angles = {one.name: one.angle for one in like.guides}
+    for guide in link.guides:
+        if guide.name in angles:
+            yield guide.angle - angles[guide.name]
 
 
 def _own(link: Link, poses: Mapping[int, Pose], size: float) -> Link:

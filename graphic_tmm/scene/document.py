@@ -341,7 +341,7 @@ def toml(value: object) -> str:
         If TOML has no such values.
     """
     if isinstance(value, (bool, int, float)):
-        return f"{value:g}" if isinstance(value, float) else str(value).lower()
+        return repr(value).removesuffix(".0") if isinstance(value, float) else str(value).lower()
     if isinstance(value, str):
         return quoted(value)
     if isinstance(value, (list, tuple)):

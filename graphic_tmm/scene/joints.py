@@ -24,7 +24,9 @@ from graphic_tmm.scene.checks import contradictions
 from graphic_tmm.scene.declare import Flaw, Names, Path, build
 from graphic_tmm.scene.document import Document, as_table, raw_links
 from graphic_tmm.scene.guides import direction
+from graphic_tmm.scene.link_tables import link_table, slides_of
 from graphic_tmm.scene.mechanism import Frame, Joints
+from graphic_tmm.scene.quantities import si
 from graphic_tmm.scene.sections import Parts, lengths_of, understand
 from graphic_tmm.scene.tables import understood
 
@@ -104,7 +106,7 @@ def _as_it_lies(doc: Document, places: Mapping[str, complex]) -> Document:
             for name, guide in as_table(one.get("guides")).items()
         }
         points = {letter: _pair(places[letter]) for letter in one["points"]}
-        slides = [_unflipped(slide) for slide in _slides(one)]
+        slides = [_unflipped(slide) for slide in slides_of(one)]
         held = ({"guides": guides} if guides else {}) | ({"slides": slides} if slides else {})
         return {**_unflipped(one), "points": points, **held}
 
@@ -123,7 +125,7 @@ def _unflipped(told: Any) -> Any:
 
 
 def _pair(place: complex) -> list[str]:
-    return [f"{place.real!r} m", f"{place.imag!r} m"]
+    return [f"{si(axis, 'length')!r} m" for axis in (place.real, place.imag)]
 
 
 def _in_own_axes(
@@ -162,7 +164,9 @@ def _in_own_axes(
     ]
     own = {link.number: link for link in (*found.mechanism.links, *found.mechanism.passive)}
     links = [
-        _written(one, own[one["number"]], hand, listed) if isinstance(one, dict) else one
+        _written(one, own[one["number"]], hand, mechanism.frame.number, listed)
+        if isinstance(one, dict)
+        else one
         for one in doc["link"]
     ]
     drive = as_table(doc.get("drive"))
@@ -188,7 +192,7 @@ def _flipping(mechanism: Mechanism, raw: Mapping[int, tuple[Path, Any]]) -> Mech
         told = raw[one.number][1]
         slides = tuple(
             replace(own, side=side(table, own.side))
-            for own, table in zip(one.slides, _slides(told), strict=True)
+            for own, table in zip(one.slides, slides_of(told), strict=True)
         )
         return replace(one, side=side(told, one.side), slides=slides)
 
@@ -231,13 +235,8 @@ def _joint(link: Link, drawn: Mechanism) -> complex | None:
 def _side_told(group: str, raw: Mapping[int, tuple[Path, Any]]) -> bool:
     """Whether a link of a group says its side itself."""
     links = [raw[int(number)][1] for number in group.split("-")]
-    slides = [one for link in links for one in _slides(link)]
+    slides = [one for link in links for one in slides_of(link)]
     return any("side" in one for one in (*links, *slides))
-
-
-def _slides(link: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    told = link.get("slides")
-    return told if isinstance(told, list) else [told] if isinstance(told, dict) else []
 
 
 def _turned(mechanism: Mechanism, places: Mapping[str, complex]) -> float | None:
@@ -248,32 +247,19 @@ def _turned(mechanism: Mechanism, places: Mapping[str, complex]) -> float | None
     return direction(places[first.pair.name], places[first.pin])
 
 
-def _written(told: Mapping[str, Any], link: Link, hand: Joints, listed: Collection[int]) -> Any:
+def _written(
+    told: Mapping[str, Any], link: Link, hand: Joints, frame: int, listed: Collection[int]
+) -> Any:
     """Return the table of a link as it stands in its own axes; of one that says these, its sides alone."""
-    slides = list(_slides(told))
-    for k, (one, own) in enumerate(zip(slides, link.slides, strict=True)):
-        held = link.number in listed
-        row = list(link.points.values())
-        reach = max((abs(z - row[0]) for z in row[:2]), default=0.0)
-        lifted = (
-            {"offset": hand.length(own.offset), "angle": hand.angle(own.angle, reach)}
-            if held
-            else {}
-        )
-        side = {"side": "+" if own.side.sign > 0 else "-"} if own.side and "side" not in one else {}
-        slides[k] = {**one, **{n: text for n, text in lifted.items() if text}, **side}
-    found = dict(told)
+    own, held = link_table(link, hand, frame, told), link.number in listed
+    known = ("offset", "angle") if held else ()
+    slides = [
+        {k: x for k, x in one.items() if held or k == "side"}
+        | {k: x for k, x in said.items() if k not in known or k not in one}
+        for said, one in zip(slides_of(told), slides_of(own), strict=True)
+    ]
+    found = {"side": own["side"]} if "side" in own else {}
+    found |= dict(told)
     if slides:
         found["slides"] = slides[0] if isinstance(told["slides"], dict) else slides
-    if link.side is not None and link.side.left_of is not None and "side" not in told:
-        way = "left" if link.side.sign > 0 else "right"
-        found["side"] = f"{way} of {''.join(link.side.left_of)}"
-    if link.number not in listed:
-        return found
-    found["points"] = {letter: hand.point(z) for letter, z in link.points.items()}
-    if link.guides:
-        found["guides"] = {
-            one.name: {"through": hand.point(one.through), "angle": f"{one.angle:.12g} deg"}
-            for one in link.guides
-        }
-    return found
+    return found | {k: own[k] for k in ("points", "guides") if held and k in own}

@@ -13,6 +13,7 @@ from graphic_tmm.scene import coordinates as c
 from graphic_tmm.scene import misfits
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import FAULTY, Flaw, Names, Path, Schema, Sort, combined_key, key
+from graphic_tmm.scene.quantities import si
 from graphic_tmm.scene.tables import ByShape, DeclaredTable, Named, Several
 
 
@@ -50,7 +51,7 @@ class Joints:
     def rounded(self, metres: float) -> str:
         """Return a length of a link as a scene says it, however short; "" of one that is nothing."""
         rounded = round(metres / self.to) * self.to if self.to else metres
-        return f"{1000.0 * rounded:.{DIGITS}g} mm" if rounded else ""
+        return f"{1000.0 * si(rounded, 'length'):.{DIGITS}g} mm" if rounded else ""
 
     def point(self, place: complex) -> list[Any]:
         """Return a point as a scene says it; one that is nearly on the x axis on it."""

@@ -88,6 +88,11 @@ def kept(value: float, dimension: Dimension) -> float:
     return value / _MEASURES.get().system.size(dimension)
 
 
+def si(value: float, dimension: Dimension) -> float:
+    """Return a quantity that the scene keeps in its units in SI."""
+    return value * _MEASURES.get().system.size(dimension)
+
+
 def gravity() -> float:
     """Return the g (m/s²) by which a weight becomes a mass."""
     return _MEASURES.get().gravity

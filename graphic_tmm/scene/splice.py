@@ -11,12 +11,18 @@ import tomllib
 from typing import Any
 
 from graphic_tmm.scene.declare import Path
-from graphic_tmm.scene.document import key_text
+from graphic_tmm.scene.document import key_text, toml
 from graphic_tmm.scene.lines import Layout, layout
+from graphic_tmm.scene.sections import declared
 from graphic_tmm.scene.vary import put
 
 _REST = re.compile(r"[^\n]*\n?")
 _ROW = re.compile(r"([ \t]*)([^=\s]+)([ \t]*)=([ \t]*)")
+_COMMENTS_ABOVE = re.compile(r"(?:^[ \t]*#[^\n]*\n)*\Z", re.MULTILINE)
+_COMMENTS_BELOW = re.compile(r"(?:[ \t]*#[^\n]*(?:\n|\Z))+(?=[ \t]*\r?\n|\Z)")
+_EMPTY = re.compile(r"(?:[ \t]*\r?\n)+")
+_ENDS_EMPTY = re.compile(r"\n[ \t]*\r?\n\Z")
+_ALIGNED = re.compile(r"^\w+ {2,}=", re.MULTILINE)
 _NUMBER = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?")
 
 
@@ -48,7 +54,11 @@ def set_to(text: str, path: Path, value: str | None) -> str:
     doc = tomllib.loads(text)
     there = layout(text)
     wanted = _meant(doc, path, value)
-    made = _spliced(text, there, path, value)
+    return _checked(_spliced(text, there, path, value), wanted, path)
+
+
+def _checked(made: str, wanted: dict[str, Any], path: Path) -> str:
+    """Return a text that says what was meant."""
     try:
         said = tomllib.loads(made)
     except (tomllib.TOMLDecodeError, ValueError, RecursionError):
@@ -154,12 +164,77 @@ def _below(
 
 def _line_behind(text: str, at: int, line: str) -> str:
     """Return a text with one more line behind that of a place."""
-    match = _REST.match(text, at)
-    end = match.end() if match is not None else at
+    end = _end_of_line(text, at)
     newline = _newline(text)
     before = "" if text[:end].endswith("\n") else newline
     behind = newline if text[:end].endswith("\n") else ""
     return f"{text[:end]}{before}{line}{behind}{text[end:]}"
+
+
+def without_table(text: str, path: Path) -> str:
+    """Return a text without a table that has a header, and without the comments that belong to it.
+
+    These are the lines above the header, and below the last key, that no empty line parts from it.
+
+    Raises
+    ------
+    Unplaced
+        If the table has no header of its own.
+    """
+    there = layout(text)
+    own = [one for one in there.headers if one[: len(path)] == path]
+    if path not in there.headers:
+        raise Unplaced(path)
+    wanted = put(tomllib.loads(text), path, None)
+    for one in sorted(own, key=lambda one: there.headers[one], reverse=True):
+        begin, end = _block(text, there, one)
+        behind = _EMPTY.match(text, end)
+        if behind is not None and (not text[:begin].strip() or _ENDS_EMPTY.search(text[:begin])):
+            end = behind.end()
+        text = text[:begin] + text[end:]
+    return _checked(text, wanted, path)
+
+
+def with_table(text: str, section: str, table: dict[str, Any], *, several: bool) -> str:
+    """Return a text with one more table of a section: behind the last of it, or the last of those before it.
+
+    ``several``: the section is a list of tables.
+
+    Raises
+    ------
+    Unplaced
+        If its place cannot be followed.
+    """
+    there, doc = layout(text), tomllib.loads(text)
+    wanted = {**doc, section: [*doc.get(section, ()), table] if several else table}
+    newline = _newline(text)
+    order = list(declared())
+    before = order[: order.index(section) + 1]
+    ends = [_block(text, there, one)[1] for one in there.headers if one[0] in before]
+    name = key_text(section)
+    wide = max(map(len, table)) if _ALIGNED.search(text) or not there.headers else 0
+    lines = [f"[[{name}]]" if several else f"[{name}]"]
+    lines += [f"{key_text(key):<{wide}} = {toml(value)}" for key, value in table.items()]
+    at = max(ends, default=len(text))
+    gap = newline if text[:at].endswith("\n") or not at else 2 * newline
+    block = newline.join(lines) + newline
+    return _checked(f"{text[:at]}{gap if at else ''}{block}{text[at:]}", wanted, (section,))
+
+
+def _block(text: str, there: Layout, header: Path) -> tuple[int, int]:
+    """Return where a header begins and its keys end, with the comments that no empty line parts from them."""
+    begin = text.rfind("\n", 0, there.headers[header]) + 1
+    ends = [there.values[row][1] for row in there.rows[header] if row in there.values]
+    end = _end_of_line(text, max(ends, default=there.headers[header]))
+    above = _COMMENTS_ABOVE.search(text[:begin])
+    assert above is not None
+    below = _COMMENTS_BELOW.match(text, end)
+    return above.start(), below.end() if below is not None else end
+
+
+def _end_of_line(text: str, at: int) -> int:
+    match = _REST.match(text, at)
+    return match.end() if match is not None else at
 
 
 def _at_the_end(text: str, section: str, line: str) -> str:
