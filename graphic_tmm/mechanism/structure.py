@@ -46,6 +46,23 @@ class Structure(NamedTuple):
         return " → ".join([initial, *groups])
 
 
+class Count(NamedTuple):
+    """How many links move, the pairs between them, and W of both."""
+
+    moving: int
+    pairs: tuple[Pair, ...]
+
+    @property
+    def mobility(self) -> int:
+        """W = 3n − 2p5."""
+        return 3 * self.moving - 2 * len(self.pairs)
+
+
+def count(mechanism: Mechanism) -> Count:
+    """Return what a mechanism has of links and pairs, whatever it lacks."""
+    return Count(len(mechanism.links), _pairs(mechanism))
+
+
 def dissect(mechanism: Mechanism) -> Structure:
     """Return the structure of a mechanism.
 

@@ -15,12 +15,13 @@ from graphic_tmm.note.note import note_files, wanted
 from graphic_tmm.page import FORMAT
 from graphic_tmm.page.page import page
 from graphic_tmm.readers.table import table
-from graphic_tmm.scene.packaged import scene_name
+from graphic_tmm.scene.packaged import FILE, scene_name
 from graphic_tmm.serve import jobs, photos
 from graphic_tmm.serve.desk import URGENT, Desk, Scene, said_of
 from graphic_tmm.serve.jobs import File, Refused, Task, refusing, scene_of
 from graphic_tmm.serve.kept import SceneFault, hashed
 from graphic_tmm.serve.limits import DOWNLOAD, JUDGING
+from graphic_tmm.serve.scheme.act import Drawing
 from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
 from graphic_tmm.studio import make, sheet_files
 
@@ -117,6 +118,21 @@ class Written(NamedTuple):
     done: bool
 
 
+class Sent(NamedTuple):
+    """What a scheme is sent with: the text that it is of, and the version of the file; "" at first."""
+
+    text: str
+    version: str
+
+
+class Scheme(NamedTuple):
+    """A scheme after an act, and the version of its file; ``done``: else the file has changed meanwhile."""
+
+    version: str
+    done: bool
+    scheme: dict[str, Any]
+
+
 class Answers:
     """A desk, as it is asked."""
 
@@ -172,6 +188,59 @@ class Answers:
                 return Refused(self.desk.unread(scene, error))
         self.desk.look(scene.kept.name)
         return Written(hashed(new), True)
+
+    async def scheme(self, scene: Scene | None, asked: Drawing, sent: Sent) -> Scheme | Refused:
+        """Return the scheme of a scene after an act, written into its file where it has one and is whole."""
+        if scene is None:
+            task = Task(
+                sent.text.encode(),
+                str(self.desk.folder.root / FILE),
+                None,
+                self.desk.speech(None).language,
+            )
+            found = await self._judged(jobs.schemed, task, asked)
+            return found if isinstance(found, Refused) else Scheme("", True, found)
+        async with scene.writing:
+            try:
+                data = self.desk.folder.read(scene.file)
+            except SceneError as error:
+                return Refused(self.desk.unread(scene, error))
+            version = hashed(data)
+            if sent.version not in ("", version):
+                return Scheme(version, False, {})
+            base = sent.text.encode() if sent.version else data
+            task = Task(base, str(scene.file), None, self.desk.speech(Task(data, "")).language)
+            found = await self._judged(jobs.schemed, task, asked)
+            if isinstance(found, Refused):
+                return found
+            new = (found["text"] or "").encode()
+            if (
+                not new
+                or found["errors"]
+                or new == data
+                or not sent.version
+                or self.desk.folder.fixed
+            ):
+                return Scheme(version, True, found)
+            if self.desk.folder.read(scene.file) != data:
+                return Scheme(hashed(self.desk.folder.read(scene.file)), False, {})
+            try:
+                self.desk.folder.write(scene.file, new)
+            except TmmError as error:
+                return Refused(self.desk.unread(scene, error))
+        self.desk.look(scene.kept.name)
+        return Scheme(hashed(new), True, found)
+
+    async def create(self, text: str, title: str) -> str | Refused:
+        """Put a scene that was drawn into the folder; return the name that it has there."""
+        task = Task(text.encode(), FILE, None, self.desk.speech(None).language)
+        files = await self._judged(jobs.begun_files, task, title)
+        if isinstance(files, Refused):
+            return files
+        try:
+            return self.desk.folder.create(title, {k: one.encode() for k, one in files.items()})
+        except TmmError as error:
+            return Refused(jobs.faults(error, "", self.desk.speech(None)))
 
     async def download(self, scene: Scene, form: str) -> File | Refused:
         """Return a scene's file in a format, drawn apart from what is looked at."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import codecs
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from pathlib import Path as File
 from typing import NoReturn
 
@@ -120,15 +120,26 @@ def _judge(
     before: bytes, after: bytes, changes: Mapping[str, str], file: File, missing: Missing
 ) -> None:
     """Refuse a text with a fault that was not there before, or with one at a key that was set."""
+    new = new_faults(before, after, file, missing, changes)
+    if new:
+        raise SceneError(str(file), new)
+
+
+def new_faults(
+    before: bytes,
+    after: bytes,
+    file: File,
+    missing: Missing = lambda text: "",
+    changed: Collection[str] = (),
+) -> tuple[Fault, ...]:
+    """Return the faults that a text has, and another had not; ``changed``: those of these keys all the same."""
     had = {(fault.key, fault.message) for fault in _faults(before, file, missing)}
-    new = tuple(
+    return tuple(
         fault
         for fault in _faults(after, file, missing)
         if (fault.key or fault.line)
-        and ((fault.key, fault.message) not in had or fault.key in changes)
+        and ((fault.key, fault.message) not in had or fault.key in changed)
     )
-    if new:
-        raise SceneError(str(file), new)
 
 
 def _faults(data: bytes, file: File, missing: Missing) -> tuple[Fault, ...]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
 import os
+import re
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from os.path import isfile
@@ -17,6 +19,8 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene.packaged import FILE, SCENE, packaged, scene_name, scene_path
 from graphic_tmm.serve.limits import SCENES
 
+LONGEST = 40
+"""So many characters the name of a new scene has at the most."""
 _OUTSIDE = said("this is a link that leads out of the folder; put the file itself there")
 
 
@@ -90,6 +94,26 @@ class Folder:
         real = self._inside(file)
         with call():
             write(real.parent, {real.name: data}, remedy=said("check the rights of the folder"))
+
+    def create(self, title: str, files: Mapping[str, bytes]) -> str:
+        """Put a new scene into a folder of its own; return the name that is made of its title.
+
+        Raises
+        ------
+        SheetError
+            If it cannot be written.
+        """
+        # what a title says is never made a path: letters, figures, and lines between them
+        plain = "-".join(re.findall(r"\w+", title.lower()))[:LONGEST] or "scheme"
+        taken = {name.lower() for name in os.listdir(self.root)}
+        name = next(
+            one
+            for k in itertools.count(1)
+            if (one := f"{plain}-{k}" if k > 1 else plain) not in taken
+        )
+        with call():
+            write(self.root / name, dict(files), remedy=said("check the rights of the folder"))
+        return name
 
     def _read(self, file: Path, kind: Kind) -> bytes:
         real = self._inside(file)

@@ -18,16 +18,19 @@ from graphic_tmm.fitting.composition import Composition, composition_file, known
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.reader import reader, reading
 from graphic_tmm.page.page import page
+from graphic_tmm.paper.formats import AUTO
 from graphic_tmm.paper.lettering.letters import missing
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.readers.findings import all_warnings
-from graphic_tmm.scene.document import spoken
+from graphic_tmm.scene.document import spoken, toml
+from graphic_tmm.scene.new import begun
 from graphic_tmm.scene.read import judged
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.serve.edit import edited
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.form import form_json as fields_told
 from graphic_tmm.serve.kept import SceneFault
+from graphic_tmm.serve.scheme.act import Drawing, scheme
 from graphic_tmm.serve.shell import title_of
 from graphic_tmm.studio import composed_sheets, make
 
@@ -173,6 +176,28 @@ def paged(task: Task) -> bytes:
 def formed(task: Task) -> list[dict[str, Any]]:
     """Return the values of a scene as a form, as JSON takes it."""
     return fields_told(form(task.data, Path(task.file)), _language(task))
+
+
+@refusing
+def schemed(task: Task, asked: Drawing) -> dict[str, Any]:
+    """Return a scheme after an act, as JSON takes it."""
+    return scheme(task.data, Path(task.file), asked, speaking(_language(task)), missing)
+
+
+@refusing
+def begun_files(task: Task, title: str) -> dict[str, str]:
+    """Return the files of a scene that was drawn, under a title, by name.
+
+    Raises
+    ------
+    SceneError
+        If it is none.
+    """
+    file = Path(task.file)
+    data = edited(task.data, {"title": title} if title.strip() else {}, file, missing)
+    judged(data, file, missing=missing)
+    sheet = f"\n[[sheet]]\nformat = {toml(AUTO)}\n"
+    return begun(data.decode() + sheet, speaking(_language(task)))
 
 
 def titled(tasks: Sequence[Task]) -> list[str]:

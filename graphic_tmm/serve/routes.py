@@ -6,6 +6,10 @@
     /s/NAME/events          how it stands, as it changes: event "state"
     /s/NAME/sheet/HASH.svg  a sheet, /s/NAME/page/HASH.html its page, while they are the ones of some state kept
     /s/NAME/form            its values as a form; to be set by sending it back
+    /s/NAME/scheme          its mechanism as it is drawn, after what was done to it; written where it is whole
+    /draw                   a paper on which a mechanism is drawn that no scene has yet
+    /scheme                 that mechanism after what was done to it
+    /new                    takes its scene under a title; tells the name that it has in the folder
     /s/NAME/download/FORM   its files of a format
     /s/NAME/plans           its plans that may be clicked in a photograph
     /s/NAME/photo           takes a photograph, in the address what was clicked; tells what its check says
@@ -26,7 +30,7 @@ from typing import Any, NamedTuple
 from urllib.parse import quote
 
 from starlette.applications import Starlette
-from starlette.requests import ClientDisconnect, Request
+from starlette.requests import Request
 from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse, Response
 from starlette.routing import Route
 from starlette.types import ASGIApp, Receive, Scope, Send
@@ -39,14 +43,14 @@ from graphic_tmm.serve.jobs import Refused, Task
 from graphic_tmm.serve.kept import Kept
 from graphic_tmm.serve.limits import (
     BEAT,
-    BODY,
-    BODY_TIME,
     CLICKED,
     PHOTO,
     PHOTO_TIME,
     STREAMS,
 )
 from graphic_tmm.serve.photos import Clicked
+from graphic_tmm.serve.scheme.routes import scheme_routes
+from graphic_tmm.serve.sent import body_of, json_of, nothing, refused
 from graphic_tmm.serve.shell import asset, gallery, studio
 
 
@@ -171,6 +175,7 @@ def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
         Route("/s/{name}/page/{hash}.html", asked.page),
         Route("/s/{name}/form", asked.form),
         Route("/s/{name}/form", asked.change, methods=["POST"]),
+        *scheme_routes(asked.answers),
         Route("/s/{name}/download/{form}", asked.download),
         Route("/s/{name}/plans", asked.plans),
         Route("/s/{name}/photo", asked.photo, methods=["POST"]),
@@ -204,14 +209,17 @@ class AnswerRoutes:
             (name,) = self.desk.folder.scenes()
             return RedirectResponse(f"s/{quote(name, safe='')}/")
         titles = await self.answers.titles()
+        if not titles and not self.desk.folder.fixed:
+            return RedirectResponse("draw")
         language = self.desk.speech(None).language
-        return HTMLResponse(gallery(titles, self.desk.folder.root.name, language))
+        fixed = self.desk.folder.fixed
+        return HTMLResponse(gallery(titles, self.desk.folder.root.name, language, fixed=fixed))
 
     async def studio(self, request: Request) -> Response:
         """The studio of a scene."""
         scene = self._scene(request)
         if scene is None:
-            return _nothing()
+            return nothing()
         task = Task(scene.data or b"", str(scene.file))
         (title,) = await self.answers.titles_of([task])
         shown = studio(
@@ -228,12 +236,12 @@ class AnswerRoutes:
     async def asset(self, request: Request) -> Response:
         """A script or a style of the studio."""
         found = asset(request.path_params["name"])
-        return _nothing() if found is None else Response(found[0], media_type=found[1])
+        return nothing() if found is None else Response(found[0], media_type=found[1])
 
     async def events(self, request: Request) -> Response:
         """How a scene stands, now and whenever that changes."""
         scene = self._scene(request)
-        return _nothing() if scene is None else Stream(followed(scene.kept))
+        return nothing() if scene is None else Stream(followed(scene.kept))
 
     async def all_events(self, request: Request) -> Response:
         """How all scenes stand; what was not drawn yet is drawn for it, one after the other."""
@@ -252,15 +260,15 @@ class AnswerRoutes:
         """The values of a scene's file."""
         scene = self._scene(request)
         if scene is None:
-            return _nothing()
+            return nothing()
         found = await self.answers.form(scene)
-        return _refused(found) if isinstance(found, Refused) else JSONResponse(found._asdict())
+        return refused(found) if isinstance(found, Refused) else JSONResponse(found._asdict())
 
     async def change(self, request: Request) -> Response:
         """Values set in a scene's file, 200; 409 if it has changed meanwhile, 422 if they are refused."""
         scene = self._scene(request)
         if scene is None:
-            return _nothing()
+            return nothing()
         if self.desk.folder.fixed:
             return Response(status_code=403)
         sent = await _sent(request)
@@ -268,17 +276,17 @@ class AnswerRoutes:
             return Response(status_code=400)
         found = await self.answers.change(scene, sent.version, sent.changes)
         if isinstance(found, Refused):
-            return _refused(found)
+            return refused(found)
         return JSONResponse({"version": found.version}, 200 if found.done else 409)
 
     async def download(self, request: Request) -> Response:
         """A scene's file of a format; of several a ZIP."""
         scene, form = self._scene(request), request.path_params["form"]
         if scene is None or form not in forms():
-            return _nothing()
+            return nothing()
         found = await self.answers.download(scene, form)
         if isinstance(found, Refused):
-            return _refused(found)
+            return refused(found)
         name = quote(found.name, safe="")
         headers = {"content-disposition": f"attachment; filename*=UTF-8''{name}"}
         return Response(found.data, media_type="application/octet-stream", headers=headers)
@@ -287,9 +295,9 @@ class AnswerRoutes:
         """The plans of a scene that may be clicked in a photograph."""
         scene = self._scene(request)
         if scene is None:
-            return _nothing()
+            return nothing()
         found = await self.answers.plans(scene)
-        return _refused(found) if isinstance(found, Refused) else JSONResponse(found)
+        return refused(found) if isinstance(found, Refused) else JSONResponse(found)
 
     async def photo(self, request: Request) -> Response:
         """What the check of a photograph says, and where its report is; 422 with what it is refused for."""
@@ -298,7 +306,7 @@ class AnswerRoutes:
             return Response(status_code=404 if scene is None else 400)
         found = await self.answers.check(scene, clicked)
         if isinstance(found, Refused):
-            return _refused(found)
+            return refused(found)
         return JSONResponse(found._asdict() | {"page": scene.kept.keep(found.page)})
 
     async def proposals(self, request: Request) -> Response:
@@ -307,7 +315,7 @@ class AnswerRoutes:
         if scene is None or clicked is None:
             return Response(status_code=404 if scene is None else 400)
         found = await self.answers.propose(scene, clicked)
-        return _refused(found) if isinstance(found, Refused) else JSONResponse({"plans": found})
+        return refused(found) if isinstance(found, Refused) else JSONResponse({"plans": found})
 
     async def report(self, request: Request) -> Response:
         """The report of a check that is kept: a page that does nothing."""
@@ -317,34 +325,13 @@ class AnswerRoutes:
         scene = self.desk.wanted(request.path_params["name"], IDLE)
         data = scene.kept.contents.get(request.path_params["hash"]) if scene else None
         if data is None:
-            return _nothing()
+            return nothing()
         return Response(data, media_type=kind, headers=headers)
 
 
 async def _sent(request: Request) -> Change | None:
     """Return what is to be set, None if that cannot be told: too large, too slow, no such JSON."""
-    body = await _body(request, BODY, BODY_TIME)
-    if body is None:
-        return None
-    try:
-        told = json.loads(body)
-    except (ValueError, RecursionError):
-        return None
-    return _change(told)
-
-
-async def _body(request: Request, most: int, seconds: float) -> bytes | None:
-    """Return what is sent; None if it is too large, or too slow."""
-    body = bytearray()
-    try:
-        async with asyncio.timeout(seconds):
-            async for part in request.stream():
-                body += part
-                if len(body) > most:
-                    return None
-    except (TimeoutError, ClientDisconnect):
-        return None
-    return bytes(body)
+    return _change(await json_of(request))
 
 
 async def _clicked(request: Request) -> Clicked | None:
@@ -354,26 +341,16 @@ async def _clicked(request: Request) -> Clicked | None:
     plain = sheet.isascii() and sheet.isdecimal() and len(sheet) < 4 and int(sheet) > 0
     if not plain or paper not in ("", *PAPERS) or len(str(told)) > CLICKED:
         return None
-    data = await _body(request, PHOTO, PHOTO_TIME)
+    data = await body_of(request, PHOTO, PHOTO_TIME)
     if not data:
         return None
     name = told.get("name", "photo")
     return Clicked(name, data, tuple(plans), told.get("corners", ""), paper, int(sheet))
 
 
-def _change(told: object) -> Change | None:
-    if not isinstance(told, dict):
-        return None
+def _change(told: dict[str, Any]) -> Change | None:
     version, changes = told.get("version"), told.get("changes")
     if not isinstance(version, str) or not isinstance(changes, dict):
         return None
     plain = all(isinstance(value, str) for value in changes.values())
     return Change(version, changes) if plain else None
-
-
-def _refused(found: Refused) -> Response:
-    return JSONResponse({"errors": [one._asdict() for one in found.faults]}, 422)
-
-
-def _nothing() -> Response:
-    return Response(status_code=404)

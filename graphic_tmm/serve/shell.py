@@ -18,6 +18,7 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.document import parsed
+from graphic_tmm.serve.scheme.words import SCHEME_WORDS
 
 if TYPE_CHECKING:
     from jinja2 import Environment
@@ -133,6 +134,7 @@ WORDS: dict[str, str] = {
     "photo aim": said("Not on the point? Drag in the loupe, or press arrows."),
     "photo command": said("The same at the command line"),
     "no scenes": said("There is no scene in this folder."),
+    **SCHEME_WORDS,
     "no scripts": said("The studio needs scripts: allow them for this address."),
 }
 """Braces are filled in by the script."""
@@ -149,12 +151,15 @@ FILES: dict[str, str] = {
 """What files of a format are called; one that is not named here is called by its format."""
 
 
+SCHEME = "scheme"
+"""The folder of what draws a mechanism."""
 KINDS = {".js": "text/javascript", ".css": "text/css", ".svg": "image/svg+xml"}
 SHARED = {name: "" for name in ("dom.js", "theme.js", "theme.css")} | {
-    name: "own/" for name in ("loupe.js", "photo.js")
+    f"{name}.js": "own/"
+    for name in ("curl", "fitting", "flatten", "lens", "loupe", "photo", "projection", "shot")
 }
 """What the studio has from the page of a scene, and where that stands there."""
-_PAGE = re.compile(r'"\.\./(?:\.\./page/web/)?(?:own/)?(?=[\w-]+\.js")')
+_PAGE = re.compile(r'"(?:\./|(?:\.\./)+)(?:page/web/)?(?:own/|scheme/)?(?=[\w-]+\.js")')
 """Where modules of ``web/`` find these, and each other; to a browser all stand in one folder."""
 
 
@@ -192,9 +197,18 @@ def studio(
     return _page("studio", title or name, language, about)
 
 
-def gallery(scenes: Mapping[str, str], title: str, language: str) -> str:
+def drawing_paper(language: str, *, several: bool) -> str:
+    """Return the page on which a mechanism is drawn; ``several``: there is a gallery to go back to."""
+    title = speaking(language)(said("Draw a scheme"))
+    return _page("scheme", title, language, {"several": several})
+
+
+def gallery(scenes: Mapping[str, str], title: str, language: str, *, fixed: bool = False) -> str:
     """Return the page of a folder: ``scenes``: titles by name; ``title``: of the folder."""
-    about = {"scenes": [{"name": name, "title": one or name} for name, one in scenes.items()]}
+    about = {
+        "fixed": fixed,
+        "scenes": [{"name": name, "title": one or name} for name, one in scenes.items()],
+    }
     return _page("gallery", title, language, about)
 
 
@@ -215,15 +229,25 @@ def asset(name: str) -> tuple[bytes, str] | None:
     if kind is None or name not in assets():
         return None
     room = "graphic_tmm.page" if name in SHARED else "graphic_tmm.serve"
-    text = (files(room) / "web" / (SHARED.get(name, "") + name)).read_text("utf-8")
+    text = (files(room) / "web" / (SHARED.get(name) or _own().get(name, "")) / name).read_text(
+        "utf-8"
+    )
     return _PAGE.sub('"./', text).encode(), kind
 
 
 @cache
 def assets() -> frozenset[str]:
     """Return the names of all scripts and styles."""
-    own = (one.name for one in (files("graphic_tmm.serve") / "web").iterdir())
-    return frozenset((*own, *SHARED))
+    return frozenset((*_own(), *SHARED))
+
+
+@cache
+def _own() -> Mapping[str, str]:
+    """Return in which folder of the studio's a script or a style stands, by its name."""
+    web = files("graphic_tmm.serve") / "web"
+    return {
+        one.name: room for room in ("", SCHEME) for one in (web / room).iterdir() if one.is_file()
+    }
 
 
 def _page(kind: str, title: str, language: str, about: Mapping[str, Any]) -> str:

@@ -52,6 +52,7 @@ function hear(state) {
 }
 
 head.append(themeButton(words));
+if (!folder.fixed) head.append(element("a", { href: "draw" }, words["scheme draw"] ?? ""));
 main.replaceChildren(
   folder.scenes.length === 0
     ? element("p", { class: "hint" }, words["no scenes"] ?? "")

@@ -3,10 +3,11 @@ import { themeButton } from "../../page/web/theme.js";
 import { Faults } from "./faults.js";
 import { Values } from "./form.js";
 import { PageFrame } from "./frame.js";
+import { Editor } from "./scheme/editor.js";
 import { PhotoCheck } from "./photo-check.js";
 import { Sheets } from "./sheets.js";
 import { tabList } from "./tabs.js";
-import { about, follow } from "./wire.js";
+import { about, follow, schemeAfter } from "./wire.js";
 
 /** @typedef {import("./types.js").State} State */
 /** @typedef {import("./types.js").Studio} Studio */
@@ -43,6 +44,9 @@ const values = new Values(
   },
 );
 const photo = new PhotoCheck(words, scene.name, tell);
+const scheme = new Editor(words, sendScheme, tell, scene.fixed);
+/** The version of the file that the scheme shows; "": none yet. */
+let schemed = "";
 /** The way of looking that was chosen. */
 let looked = "";
 const faults = new Faults(words, (key) => values.has(key), (key) => values.go(key));
@@ -81,7 +85,26 @@ function hear(now) {
   faults.show(now.errors, now.warnings);
   values.follow(now.text_version);
   photo.follow(now.text_version);
+  if (now.text_version !== schemed && looked === "scheme" && scheme.waiting === 0) loadScheme();
   tellState();
+}
+
+/** @param {import("./types.js").SchemeAct} act */
+async function sendScheme(act) {
+  const answer = await schemeAfter("scheme", { ...act, version: schemed });
+  if (answer.status === 409) {
+    schemed = "";
+    loadScheme();
+    return { answer: null, errors: [words["scheme changed"] ?? ""] };
+  }
+  if (answer.answer !== null) schemed = answer.answer.version;
+  return answer;
+}
+
+/** Show the scheme of the file as it is. */
+function loadScheme() {
+  schemed = "";
+  scheme.begin("", null);
 }
 
 /** @param {boolean} there */
@@ -123,21 +146,25 @@ function look(name) {
   looked = name;
   frame.look(name === "page");
   photo.look(name === "photo");
-  side.hidden = name === "photo";
-  photo.side.element.hidden = !side.hidden;
+  side.hidden = name === "photo" || name === "scheme";
+  photo.side.element.hidden = name !== "photo";
+  schemeSide.hidden = name !== "scheme";
+  if (name === "scheme" && schemed === "") loadScheme();
 }
 
 const ways = [
   { name: "sheets", title: words["sheets"] ?? "", panel: sheets.element },
+  { name: "scheme", title: words["scheme"] ?? "", panel: scheme.element },
   { name: "page", title: words["page"] ?? "", panel: frame.element },
   ...(scene.photographed ? [{ name: "photo", title: words["photo"] ?? "", panel: photo.element }] : []),
 ];
 const side = element("aside", { "aria-label": words["values"] ?? "" }, faults.element, values.element, files());
+const schemeSide = element("aside", { "aria-label": words["scheme"] ?? "" }, scheme.side.element);
 if (scene.several) head.prepend(element("a", { href: "../../" }, words["scenes"] ?? ""));
-main.replaceChildren(...ways.map(({ panel }) => panel), side, photo.side.element);
+main.replaceChildren(...ways.map(({ panel }) => panel), side, schemeSide, photo.side.element);
 const theme = themeButton(words);
 theme.addEventListener("click", () => frame.dress());
-head.append(tabList(words["ways"] ?? "", ways, way, look), theme);
+head.append(tabList(words["ways"] ?? "", ways, location.hash.slice(1) || way, look), theme);
 document.documentElement.classList.add("js");
 window.addEventListener("pagehide", remember);
 follow("events", hear, link);

@@ -13,7 +13,7 @@
  * @typedef {{form: string, name: string}} Download
  * @typedef {{language: string, words: Words, name: string, several: boolean, fixed: boolean, photographed: boolean,
  *   downloads: Download[]}} Studio
- * @typedef {{language: string, words: Words, scenes: {name: string, title: string}[]}} Gallery
+ * @typedef {{language: string, words: Words, fixed: boolean, scenes: {name: string, title: string}[]}} Gallery
  * @typedef {[number, number]} Spot dots of a photograph from the centre of its first, downward
  * @typedef {{plan: string, name: string, pole: string, first: string, positions: string[]}} Plan
  * @typedef {Plan & {position: string}} Place a plan in a position
@@ -24,6 +24,18 @@
  * @typedef {{spot: Spot, text: string, kind: string}} Mark
  * @typedef {{page: string, says: string, warnings: string[], stale?: boolean,
  *   marks: {x: number, y: number, text: string, verdict: string}[]}} Checked page: the hash of its report
+ * @typedef {import("./scheme/sketch.js").Sketch} Sketch
+ * @typedef {{key: string, kind: string, label: string, text: string, link: number | null, name: string,
+ *   choices: string[], placeholder: string, says: string}} SchemeField link: whose it is; name: of a length used elsewhere, too
+ * @typedef {{letter: string, unit: string, low: number, high: number, closed: boolean}} Sweep what a drive goes through
+ * @typedef {{at: number[], places: Record<string, ([number, number] | null)[]>}} Turn
+ * @typedef {{version: string, sketch: Sketch, mobility: number | null, formula: string, says: string, text: string | null,
+ *   at: number | null, sweep: Sweep | null, fields: SchemeField[], errors: string[], turn: Turn | null}} SchemeAnswer
+ *   text: the scene, null while something is missing; says: what
+ * @typedef {{text: string, sketch?: Sketch | null, letters?: Record<string, string>, numbers?: Record<string, number>,
+ *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number}} SchemeAct
+ * @typedef {{answer: SchemeAnswer | null, errors: string[], status: number}} SchemeTold status 409: the file has changed
+ * @typedef {{language: string, words: Words, several: boolean}} DrawingPaper
  * @typedef {{status: number, version: string, errors: Fault[]}} Answer status 0: nothing came back
  */
 export {};

@@ -4,6 +4,8 @@
 /** @typedef {import("./types.js").Fault} Fault */
 /** @typedef {import("./types.js").Form} Form */
 /** @typedef {import("./types.js").Proposal} Proposal */
+/** @typedef {import("./types.js").SchemeAct} SchemeAct */
+/** @typedef {import("./types.js").SchemeTold} SchemeTold */
 /** @typedef {import("./types.js").State} State */
 
 /** After so long a connection that was closed is tried again, ms. */
@@ -138,6 +140,38 @@ async function sendPhoto(address, file, asked) {
     return answer.ok ? { answer: told, errors: [] } : { answer: null, errors: textsOf(told.errors) };
   } catch {
     return { answer: null, errors: [] };
+  }
+}
+
+/**
+ * Send an act on a scheme.
+ * @param {string} address
+ * @param {SchemeAct & {version?: string}} act
+ * @returns {Promise<SchemeTold>}
+ */
+export async function schemeAfter(address, act) {
+  try {
+    const answer = await fetch(address, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(act) });
+    const told = await answer.json();
+    return answer.ok ? { answer: told, errors: [], status: answer.status } : { answer: null, errors: textsOf(told.errors ?? []), status: answer.status };
+  } catch {
+    return { answer: null, errors: [], status: 0 };
+  }
+}
+
+/**
+ * Put a scene into the folder; return its name, "" with what it is refused for.
+ * @param {string} text
+ * @param {string} title
+ * @returns {Promise<{name: string, errors: string[]}>}
+ */
+export async function newScene(text, title) {
+  try {
+    const answer = await fetch("new", { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify({ text, title }) });
+    const told = await answer.json();
+    return answer.ok ? { name: told.name, errors: [] } : { name: "", errors: textsOf(told.errors ?? []) };
+  } catch {
+    return { name: "", errors: [] };
   }
 }
 

@@ -1,0 +1,121 @@
+"""What a task gives of a mechanism, for the panel beside its scheme: lengths, then the rest."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path as File
+from typing import Any
+
+from graphic_tmm.language.catalogue import Speech
+from graphic_tmm.language.said import said
+from graphic_tmm.scene.declare import Path
+from graphic_tmm.scene.document import Document, as_table
+from graphic_tmm.scene.moved import uses
+from graphic_tmm.scene.sections import LENGTHS
+from graphic_tmm.serve.form import Field, form
+
+OF_LINKS = ("name", "mass", "J")
+OF_DRIVE = ("speed", "turns", "from", "to", "positions")
+"""What a task gives besides lengths, and nothing can be drawn without, or is drawn otherwise."""
+ZERO = re.compile(r"[+-]?0(?:\.0*)?(?:\s.*)?")
+CLAUSE = re.compile(r"[;:,(]")
+
+
+def scheme_fields(data: bytes, doc: Document, file: File, speech: Speech) -> list[dict[str, Any]]:
+    """Return the fields of a scheme as JSON takes them; ``name``: of a length that stands elsewhere, too."""
+    text = data.decode()
+    fields = [one for group in form(data, file) for one in group.fields]
+    found = [
+        *(_json(one, "length", label, text, doc, speech) for one, label in _lengths(fields, doc)),
+        *(
+            _json(one, "given", label, text, doc, speech)
+            for one, label in _given(fields, doc, speech)
+        ),
+    ]
+    return found
+
+
+def _json(
+    field: Field, kind: str, label: str, text: str, doc: Document, speech: Speech
+) -> dict[str, Any]:
+    place = field.path[:2]
+    link = doc["link"][place[1]].get("number") if place[0] == "link" else None
+    named = field.text in as_table(doc.get(LENGTHS)) and len(uses(text, field.path)) > 1
+    return {
+        "key": field.key,
+        "kind": kind,
+        "label": label,
+        "text": field.text,
+        "link": link,
+        "name": f"{LENGTHS}.{field.text}" if named else "",
+        "choices": list(field.choices),
+        "placeholder": field.default,
+        "says": speech(field.says),
+    }
+
+
+def _lengths(fields: list[Field], doc: Document) -> Iterator[tuple[Field, str]]:
+    """Yield the lengths of links, then what places points and guides of the frame."""
+    for field in fields:
+        match field.path:
+            case ("link", int(k), "points", str(letter), int(axis)):
+                points = doc["link"][k]["points"]
+                if not ZERO.fullmatch(field.text):
+                    yield field, _of_point(points, letter, axis)
+            case ("link", int(k), "slides", *_) if field.written and field.path[-1] in (
+                "offset",
+                "angle",
+            ):
+                yield field, f"{doc['link'][k].get('number')}: {field.label}"
+    for field in fields:
+        match field.path:
+            case ("frame" | "joints", str(letter), int(axis)):
+                if not ZERO.fullmatch(field.text):
+                    yield field, f"{'XY'[axis]} {letter}"
+            case ("frame", str(name), "through", int(axis)):
+                yield field, f"{name}, {'xy'[axis]}"
+            case ("frame", str(name), "angle"):
+                yield field, f"{name}, ∠"
+
+
+def _of_point(points: Mapping[str, Any], letter: str, axis: int) -> str:
+    """Return what a coordinate of a link's point is called: a length from letter to letter where it is one."""
+    zero = [one for one, place in points.items() if _is_zero(place, 0) and _is_zero(place, 1)]
+    if axis == 0 and _is_zero(points[letter], 1) and zero:
+        return f"{zero[0]}{letter}"
+    return f"{letter}, {'xy'[axis]}"
+
+
+def _is_zero(place: Any, axis: int) -> bool:
+    return bool(ZERO.fullmatch(str(place[axis])))
+
+
+def _given(fields: list[Field], doc: Document, speech: Speech) -> Iterator[tuple[Field, str]]:
+    """Yield what is given of the drive, then of links."""
+    for field in fields:
+        if _is_of_drive(field.path, doc):
+            yield field, _clause(field, speech)
+    for field in fields:
+        match field.path:
+            case ("link", int(k), str(key)) if key in OF_LINKS:
+                number = doc["link"][k].get("number")
+                yield (
+                    field,
+                    speech(
+                        said("link {number}: {what}", number=number, what=_clause(field, speech))
+                    ),
+                )
+
+
+def _is_of_drive(path: Path, doc: Document) -> bool:
+    slides = "from" in as_table(doc.get("drive"))
+    match path:
+        case ("drive", str(key)) | ("drive", int(_), str(key)):
+            return key in OF_DRIVE and (key not in ("from", "to") or slides)
+    return False
+
+
+def _clause(field: Field, speech: Speech) -> str:
+    """Return the first clause of what a field is."""
+    return CLAUSE.split(speech(field.says))[0].strip()

@@ -1,0 +1,173 @@
+"""A sketch as a browser sends it, a mechanism as it lies, and each as the other.
+
+JSON: places of letters [x, y], m; links with number, letters, guides and slides, the frame first; guides
+(through, angle) in the axes of the frame; the number of the driving link, or null.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Slide
+from graphic_tmm.scene.document import Document
+
+MOST = 60
+"""So many links, and letters of a link, a sketch may have: four times the largest mechanism of the books."""
+FAR = 1e6
+"""Nothing lies farther from the origin, m."""
+Sketch = dict[str, Any]
+GEOMETRY = ("points", "guides", "slides", "centre")
+"""Keys of a link that a sketch tells."""
+
+
+def is_sketch(told: object) -> bool:
+    """Whether something is a sketch in form: what it says may still be no mechanism."""
+    if not isinstance(told, dict) or not {"places", "links", "drive"} <= told.keys():
+        return False
+    places, links, drive = told["places"], told["links"], told["drive"]
+    return (
+        isinstance(places, dict)
+        and isinstance(links, list)
+        and 0 < len(links) <= MOST
+        and len(places) <= MOST * MOST
+        and all(map(_is_place, places.values()))
+        and all(_is_link(one, places) for one in links)
+        and (drive is None or _is_number(drive))
+    )
+
+
+def _is_number(told: object) -> bool:
+    return isinstance(told, int) and not isinstance(told, bool) and 0 <= told < 1000
+
+
+def is_length(told: object) -> bool:
+    """Whether something is a number that a place may have."""
+    plain = isinstance(told, (int, float)) and not isinstance(told, bool)
+    return plain and math.isfinite(told) and abs(told) <= FAR  # type: ignore[arg-type]
+
+
+def _is_place(told: object) -> bool:
+    return isinstance(told, list) and len(told) == 2 and all(map(is_length, told))
+
+
+def _is_link(told: object, places: Mapping[str, object]) -> bool:
+    if not isinstance(told, dict) or not _is_number(told.get("number")):
+        return False
+    points, guides, slides = (told.get(key) for key in ("points", "guides", "slides"))
+    return (
+        isinstance(points, list)
+        and len(points) <= MOST
+        and all(isinstance(one, str) and one in places for one in points)
+        and isinstance(guides, dict)
+        and all(
+            isinstance(one, dict) and _is_place(one.get("through")) and is_length(one.get("angle"))
+            for one in guides.values()
+        )
+        and isinstance(slides, list)
+        and all(
+            isinstance(one, dict)
+            and _is_number(one.get("on"))
+            and isinstance(one.get("along"), str)
+            and isinstance(one.get("cylinder", ""), str)
+            for one in slides
+        )
+        and isinstance(told.get("centre", ""), str)
+    )
+
+
+def lying_document(sketch: Sketch, like: Document) -> Document:
+    """Return the tables of a sketch, links in the axes of the frame; ``like``: says what else is given."""
+    places = sketch["places"]
+    frame, *links = sketch["links"]
+    known = {one.get("number"): one for one in like.get("link", []) if isinstance(one, dict)}
+    fixed: dict[str, Any] = {"number": frame["number"]}
+    fixed |= {letter: _place(places[letter]) for letter in frame["points"]} | _guides(frame)
+    told = [_link(one, places, frame["number"], known.get(one["number"], {})) for one in links]
+    return {**like, "frame": fixed, "link": told}
+
+
+def _link(
+    link: Mapping[str, Any], places: Mapping[str, Any], frame: int, known: Mapping[str, Any]
+) -> Document:
+    made = {key: value for key, value in known.items() if key not in GEOMETRY}
+    made["number"] = link["number"]
+    made["points"] = {letter: _place(places[letter]) for letter in link["points"]}
+    if link["guides"]:
+        made["guides"] = _guides(link)
+    before = known.get("slides", [])
+    before = before if isinstance(before, list) else [before]
+    slides = []
+    for slide in link["slides"]:
+        same = (
+            one for one in before if isinstance(one, dict) and one.get("along") == slide["along"]
+        )
+        kept = {k: v for k, v in next(same, {}).items() if k in ("side", "flips_at", "cylinder")}
+        cylinder = {"cylinder": slide["cylinder"]} if slide.get("cylinder") else {}
+        on = "frame" if slide["on"] == frame else slide["on"]
+        slides.append({**kept, **cylinder, "on": on, "along": slide["along"]})
+    if slides:
+        made["slides"] = slides if len(slides) > 1 else slides[0]
+    if link.get("centre"):
+        made["centre"] = link["centre"]
+    return made
+
+
+def _guides(link: Mapping[str, Any]) -> dict[str, Any]:
+    return {
+        name: {"through": _place(one["through"]), "angle": f"{one['angle']!r} deg"}
+        for name, one in link["guides"].items()
+    }
+
+
+def _place(place: list[float]) -> list[str]:
+    return [f"{length!r} m" for length in place]
+
+
+def scaled(sketch: Sketch, by: float) -> Sketch:
+    """Return a sketch that is larger."""
+
+    def larger(place: list[float]) -> list[float]:
+        return [by * length for length in place]
+
+    def body(link: Sketch) -> Sketch:
+        guides = {
+            n: {**one, "through": larger(one["through"])} for n, one in link["guides"].items()
+        }
+        return {**link, "guides": guides}
+
+    places = {letter: larger(place) for letter, place in sketch["places"].items()}
+    return {**sketch, "places": places, "links": [body(one) for one in sketch["links"]]}
+
+
+def sketch_of(lies: Mechanism, places: Mapping[str, complex]) -> Sketch:
+    """Return a mechanism that lies somewhere as a browser takes it; ``places``: of its letters, m."""
+    return {
+        "places": {letter: _pair(z) for letter, z in places.items()},
+        "links": [_body(one) for one in (lies.frame, *lies.drawn)],
+        "drive": lies.drive.link,
+    }
+
+
+def _body(link: Link) -> dict[str, Any]:
+    made: dict[str, Any] = {
+        "number": link.number,
+        "points": list(link.points),
+        "guides": {one.name: _guide(one) for one in link.guides},
+        "slides": [_slide(one) for one in link.slides],
+    }
+    return made | ({"centre": link.centre} if link.centre in link.points else {})
+
+
+def _guide(guide: Guide) -> dict[str, Any]:
+    return {"through": _pair(guide.through), "angle": guide.angle}
+
+
+def _slide(slide: Slide) -> dict[str, Any]:
+    made: dict[str, Any] = {"on": slide.on, "along": slide.guide.name}
+    return made | ({"cylinder": slide.cylinder} if slide.cylinder else {})
+
+
+def _pair(z: complex) -> list[float]:
+    return [z.real, z.imag]

@@ -1,0 +1,226 @@
+import {
+  bodiesAt,
+  bodyOf,
+  direction,
+  footOf,
+  frameOf,
+  freeGuide,
+  freeLetter,
+  freeNumber,
+  minus,
+  placeOf,
+  stonesAt,
+  unit,
+} from "./sketch.js";
+
+/**
+ * What a hand does to a mechanism: each returns another one, or null where that would be none.
+ *
+ * @typedef {import("./sketch.js").Body} Body
+ * @typedef {import("./sketch.js").Bar} Bar
+ * @typedef {import("./sketch.js").Place} Place
+ * @typedef {import("./sketch.js").Sketch} Sketch
+ * @typedef {import("./sketch.js").Target} Target
+ */
+
+const HALF_TURN = 180;
+
+/**
+ * Return a copy that may be changed.
+ * @param {Sketch} sketch
+ * @returns {Sketch}
+ */
+function copyOf(sketch) {
+  return structuredClone(sketch);
+}
+
+/**
+ * Return the letter of what is meant, put there if it has none.
+ * @param {Sketch} sketch that is changed
+ * @param {Target} target
+ */
+function letterAt(sketch, target) {
+  if ("letter" in target) return target.letter;
+  const letter = freeLetter(sketch);
+  sketch.places[letter] = target.place;
+  if ("bar" in target) insert(sketch, target.bar, letter);
+  return letter;
+}
+
+/**
+ * Put a letter on a bar, between its ends.
+ * @param {Sketch} sketch that is changed
+ * @param {Bar} bar
+ * @param {string} letter
+ */
+function insert(sketch, { number, ends }, letter) {
+  const body = bodyOf(sketch, number);
+  if (body === undefined) return;
+  const at = body.points.indexOf(ends[1]);
+  const straight = body.points.length === 2;
+  if (straight || at < 0) body.points.push(letter);
+  else body.points.splice(at === 0 ? body.points.length : at, 0, letter);
+}
+
+/**
+ * Return a number for a link that is put in.
+ * @param {Sketch} sketch that is changed
+ * @param {string[]} points
+ * @returns {Body}
+ */
+function newBody(sketch, points) {
+  const body = { number: freeNumber(sketch), points, guides: {}, slides: [] };
+  sketch.links.push(body);
+  return body;
+}
+
+/**
+ * Draw a link from one pin to another.
+ * @param {Sketch} sketch
+ * @param {Target} start
+ * @param {Target} end
+ * @returns {{sketch: Sketch, letter: string} | null}
+ */
+export function linked(sketch, start, end) {
+  const made = copyOf(sketch);
+  const a = letterAt(made, start);
+  const b = letterAt(made, end);
+  if (a === b || bodiesAt(made, a).some((one) => one.points.includes(b))) return null;
+  newBody(made, [a, b]);
+  return { sketch: made, letter: b };
+}
+
+/**
+ * Add what is meant as a further pin of a link.
+ * @param {Sketch} sketch
+ * @param {number} number
+ * @param {Target} target
+ * @returns {{sketch: Sketch, letter: string} | null}
+ */
+export function pinned(sketch, number, target) {
+  const made = copyOf(sketch);
+  const letter = letterAt(made, target);
+  const body = bodyOf(made, number);
+  if (body === undefined || body.points.includes(letter)) return null;
+  body.points.push(letter);
+  return { sketch: made, letter };
+}
+
+/**
+ * Make a pin a pivot of the frame, or a loose one again.
+ * @param {Sketch} sketch
+ * @param {string} letter
+ * @returns {Sketch}
+ */
+export function supported(sketch, letter) {
+  const made = copyOf(sketch);
+  const frame = frameOf(made);
+  const there = frame.points.includes(letter);
+  frame.points = there ? frame.points.filter((one) => one !== letter) : [...frame.points, letter];
+  return made;
+}
+
+/**
+ * Let a pin slide along a guide of the frame in a direction (degrees); a slider that is there is turned.
+ * @param {Sketch} sketch
+ * @param {string} letter
+ * @param {number} angle
+ * @returns {Sketch}
+ */
+export function guided(sketch, letter, angle) {
+  const made = copyOf(sketch);
+  const frame = frameOf(made);
+  const turned = ((Math.round(angle * 1e6) / 1e6) % HALF_TURN + HALF_TURN) % HALF_TURN;
+  const there = stonesAt(made, letter)
+    .flatMap((one) => one.slides)
+    .find((one) => one.on === frame.number && one.along in frame.guides);
+  const name = there?.along ?? freeGuide(made);
+  // as books give it: by where it passes the origin
+  const through = footOf({ through: placeOf(made, letter), way: direction(turned) }, [0, 0]);
+  frame.guides[name] = { through, angle: turned };
+  if (there === undefined) newBody(made, [letter]).slides.push({ on: frame.number, along: name });
+  return made;
+}
+
+/**
+ * Put a stone at a pin that slides along a bar; a bar that has one pivot is turned so that it passes there.
+ * @param {Sketch} sketch
+ * @param {string} letter
+ * @param {Bar} bar
+ * @returns {Sketch | null}
+ */
+export function stoned(sketch, letter, { number, ends }) {
+  const made = copyOf(sketch);
+  const body = bodyOf(made, number);
+  if (body === undefined || body.points.includes(letter)) return null;
+  const [first, second] = body.points.indexOf(ends[0]) <= body.points.indexOf(ends[1]) ? ends : [ends[1], ends[0]];
+  turnAbout(made, body, letter, [first, second]);
+  newBody(made, [letter]).slides.push({ on: number, along: `${first}${second}` });
+  return made;
+}
+
+/**
+ * Turn a link about the end of a bar that the frame holds, until the bar passes through a pin.
+ * @param {Sketch} sketch that is changed
+ * @param {Body} body
+ * @param {string} letter
+ * @param {[string, string]} ends
+ */
+function turnAbout(sketch, body, letter, ends) {
+  const fixed = frameOf(sketch).points;
+  const pivot = ends.find((one) => fixed.includes(one));
+  const other = ends.find((one) => one !== pivot);
+  if (pivot === undefined || other === undefined || fixed.includes(other)) return;
+  const about = placeOf(sketch, pivot);
+  const [cx, cy] = unit(minus(placeOf(sketch, other), about));
+  const [sx, sy] = unit(minus(placeOf(sketch, letter), about));
+  const cos = cx * sx + cy * sy;
+  const sin = cx * sy - cy * sx;
+  const [c, s] = cos < 0 ? [-cos, -sin] : [cos, sin];
+  for (const one of body.points) {
+    if (fixed.includes(one)) continue;
+    const [x, y] = minus(placeOf(sketch, one), about);
+    sketch.places[one] = [about[0] + c * x - s * y, about[1] + s * x + c * y];
+  }
+}
+
+/**
+ * Draw a cylinder from its pivot to the pin of its rod.
+ * @param {Sketch} sketch
+ * @param {Target} start
+ * @param {Target} end
+ * @returns {{sketch: Sketch, letter: string} | null}
+ */
+export function cylinder(sketch, start, end) {
+  const made = copyOf(sketch);
+  const a = letterAt(made, start);
+  const b = letterAt(made, end);
+  if (a === b) return null;
+  const [x, y] = minus(placeOf(made, b), placeOf(made, a));
+  const name = freeGuide(made);
+  const barrel = newBody(made, [a]);
+  barrel.guides[name] = { through: placeOf(made, a), angle: (Math.atan2(y, x) * HALF_TURN) / Math.PI };
+  newBody(made, [b]).slides.push({ on: barrel.number, along: name, cylinder: "oil" });
+  return { sketch: made, letter: b };
+}
+
+/**
+ * Put the mass centre of a link at a place; the one that it has is moved there.
+ * @param {Sketch} sketch
+ * @param {number} number
+ * @param {Place} place
+ * @returns {Sketch | null}
+ */
+export function centred(sketch, number, place) {
+  const made = copyOf(sketch);
+  const body = bodyOf(made, number);
+  if (body === undefined || body === frameOf(made)) return null;
+  const letter = body.centre ?? `S${number}`;
+  if (!body.points.includes(letter)) {
+    if (letter in made.places) return null;
+    body.points.push(letter);
+    body.centre = letter;
+  }
+  made.places[letter] = place;
+  return made;
+}

@@ -1,0 +1,253 @@
+import { element } from "../../../page/web/dom.js";
+import * as changes from "./changes.js";
+import { keyed } from "./editor-keys.js";
+import { History } from "./history.js";
+import { Hand } from "./hand.js";
+import { Paper } from "./paper.js";
+import { Picture } from "./picture.js";
+import { Side } from "./side.js";
+import { blankSketch, bodyOf, frameOf } from "./sketch.js";
+import { ToolBar } from "./tools.js";
+import { Turning } from "./turning.js";
+
+/**
+ * The scheme of a mechanism, drawn by a hand. The scene is what counts: every act goes to the server, and what is
+ * shown then is where the log puts it.
+ *
+ * @typedef {import("./sketch.js").Place} Place
+ * @typedef {import("./sketch.js").Sketch} Sketch
+ * @typedef {import("./signs.js").Chosen} Chosen
+ * @typedef {import("../types.js").Words} Words
+ * @typedef {import("../types.js").SchemeAnswer} SchemeAnswer
+ * @typedef {import("../types.js").SchemeAct} SchemeAct
+ * @typedef {{sketch: Sketch, text: string, answer: SchemeAnswer | null}} Moment
+ */
+
+/** So many acts can be taken back. */
+const BACK = 200;
+
+export class Editor {
+  /**
+   * @param {Words} words
+   * @param {(act: SchemeAct) => Promise<{answer: SchemeAnswer | null, errors: string[]}>} send
+   * @param {(text: string) => void} tell
+   * @param {boolean} fixed
+   */
+  constructor(words, send, tell, fixed = false) {
+    this.words = words;
+    this.send = send;
+    this.tell = tell;
+    this.fixed = fixed;
+    /** @type {Sketch} */
+    this.sketch = blankSketch();
+    this.text = "";
+    /** @type {SchemeAnswer | null} */
+    this.answer = null;
+    /** @type {Chosen} */
+    this.chosen = {};
+    /** @type {History<Moment>} */
+    this.history = new History(BACK);
+    /** Acts that are on their way, one after the other. @type {Promise<void>} */
+    this.queue = Promise.resolve();
+    this.waiting = 0;
+    /** Whether a length was typed: the first is the scale of all. */
+    this.measured = false;
+    /** When a letter or figure was typed last, ms. */
+    this.typedAt = 0;
+    /** Whoever shall know that something has changed. */
+    this.follow = () => {};
+    this.hand = new Hand(this);
+    this.paper = new Paper(this.say("scheme paper"), {
+      press: (meant) => this.hand.press(meant),
+      hover: (meant) => this.hand.hover(meant),
+      release: (meant, drawn) => this.hand.release(meant, drawn),
+      cancel: () => this.cancel(),
+      key: (event) => keyed(this, event),
+      how: () => this.hand.how(),
+    });
+    this.picture = new Picture(this);
+    this.turning = new Turning(this);
+    this.side = new Side(this);
+    this.bar = new ToolBar(this);
+    this.element = element("section", { class: "scheme" }, this.bar.element, this.paper.element, this.turning.element);
+    this.changed();
+  }
+
+  /**
+   * @param {string} key
+   * @param {Record<string, string | number>} [values]
+   */
+  say(key, values = {}) {
+    return (this.words[key] ?? key).replace(/\{(\w+)\}/g, (_, name) => String(values[name] ?? ""));
+  }
+
+  /** Show what is so now. */
+  changed() {
+    this.bar.show();
+    this.paper.show(this.sketch, this.chosen);
+    this.side.show();
+  }
+
+  /** @param {Chosen} chosen */
+  choose(chosen) {
+    this.chosen = chosen;
+    this.changed();
+    if (chosen.letter !== undefined) this.tell(this.say("scheme chosen pin", { letter: chosen.letter }));
+    if (chosen.number !== undefined) this.tell(this.say("scheme chosen link", { number: chosen.number }));
+  }
+
+  /** @param {string} key of the words that say why nothing was done */
+  refuse(key) {
+    this.tell(this.say(key));
+  }
+
+  /**
+   * Do something: show it, and have it judged.
+   * @param {Sketch | null} sketch
+   * @param {Chosen} [chosen]
+   * @param {Partial<SchemeAct>} [more]
+   */
+  act(sketch, chosen = this.chosen, more = {}) {
+    if (sketch === null) return this.refuse("scheme nothing");
+    if (this.fixed) return this.refuse("fixed");
+    const before = this.history.keep(this.moment);
+    this.sketch = sketch;
+    this.chosen = chosen;
+    this.changed();
+    this.ask({ sketch, ...more }, before);
+  }
+
+  /** What is now. @returns {Moment} */
+  get moment() {
+    return { sketch: this.sketch, text: this.text, answer: this.answer };
+  }
+
+  /**
+   * Send an act when those before it are answered.
+   * @param {Partial<SchemeAct>} act
+   * @param {Moment} before what is to be again if it is refused
+   */
+  ask(act, before = this.moment) {
+    this.waiting += 1;
+    this.queue = this.queue.then(async () => {
+      const { answer, errors } = await this.send({ text: this.text, ...act });
+      this.waiting -= 1;
+      if (answer === null) this.undone(errors, before);
+      else this.take(answer);
+    });
+    return this.queue;
+  }
+
+  /**
+   * Take back an act that was refused, and those that were done on it.
+   * @param {string[]} errors
+   * @param {Moment} before
+   */
+  undone(errors, before) {
+    this.history.forget(before);
+    ({ sketch: this.sketch, text: this.text, answer: this.answer } = before);
+    this.changed();
+    this.tell(errors[0] ?? this.say("not sent"));
+    this.side.refuse(errors);
+  }
+
+  /** @param {SchemeAnswer} answer */
+  take(answer) {
+    this.answer = answer;
+    if (answer.text !== null) this.text = answer.text;
+    if (this.waiting === 0) this.sketch = answer.sketch;
+    if (this.chosen.letter !== undefined && !(this.chosen.letter in this.sketch.places)) this.chosen = {};
+    if (this.chosen.number !== undefined && bodyOf(this.sketch, this.chosen.number) === undefined) this.chosen = {};
+    this.turning.follow(answer);
+    this.follow();
+    this.changed();
+    this.tell([answer.says, ...answer.errors].filter(Boolean)[0] ?? "");
+  }
+
+  /**
+   * Begin with what there is.
+   * @param {string} text
+   * @param {Sketch | null} sketch null: as the scene says
+   */
+  async begin(text, sketch) {
+    this.text = text;
+    this.measured = sketch === null;
+    if (sketch !== null) this.sketch = sketch;
+    await this.ask(text !== "" || sketch === null ? {} : { sketch });
+    this.paper.fit();
+  }
+
+  back() {
+    if (this.waiting === 0) this.restore(this.history.back(this.moment));
+  }
+
+  forth() {
+    if (this.waiting === 0) this.restore(this.history.forth(this.moment));
+  }
+
+  /** @param {Moment | null} moment */
+  restore(moment) {
+    if (moment === null) return;
+    const before = this.moment;
+    ({ sketch: this.sketch, text: this.text, answer: this.answer } = moment);
+    this.chosen = {};
+    this.changed();
+    const whole = moment.answer !== null && moment.answer.text !== null;
+    this.ask(whole ? { at: moment.answer?.at ?? null } : { sketch: this.sketch }, before);
+  }
+
+  /** Leave what is being done. */
+  cancel() {
+    this.hand.cancel();
+    this.choose({});
+  }
+
+  /**
+   * Move a pin; null: it stays chosen.
+   * @param {string} letter
+   * @param {Place | null} place
+   */
+  move(letter, place) {
+    if (place === null) return this.changed();
+    this.act(changes.moved(this.sketch, letter, place));
+  }
+
+  remove() {
+    const { letter, number } = this.chosen;
+    if (letter !== undefined) this.act(changes.withoutPin(this.sketch, letter), {});
+    else if (number !== undefined) this.act(changes.withoutLink(this.sketch, number), {});
+  }
+
+  /**
+   * @param {string} from
+   * @param {string} to
+   */
+  letter(from, to) {
+    const made = changes.relettered(this.sketch, from, to);
+    if (made === null) this.tell(this.say("scheme letter taken", { letter: to }));
+    else this.act(made, { letter: to }, { letters: { [from]: to } });
+  }
+
+  /**
+   * @param {number} from
+   * @param {number} to
+   */
+  number(from, to) {
+    if (from === to || to === frameOf(this.sketch).number) return;
+    this.act(changes.renumbered(this.sketch, from, to), { number: to }, { numbers: { [from]: to } });
+  }
+
+  /**
+   * Type a value of the scene; the first length is the scale of all.
+   * @param {string} key
+   * @param {string} value
+   * @param {boolean} long whether it is a length of the mechanism
+   */
+  type(key, value, long) {
+    if (this.fixed) return this.refuse("fixed");
+    const before = this.history.keep(this.moment);
+    const scale = long && !this.measured;
+    if (long) this.measured = true;
+    this.ask({ typed: { [key]: value }, scale, sketch: scale ? this.sketch : null, at: this.answer?.at ?? null }, before);
+  }
+}

@@ -1,0 +1,191 @@
+import * as acts from "./acts.js";
+import { moved } from "./changes.js";
+import { apart, bodiesAt, frameOf, minus, placeOf } from "./sketch.js";
+import { DEGREES } from "./snap.js";
+import { drivenBy, targetOf, TOOL_ACTS } from "./tool-acts.js";
+
+/**
+ * What presses and releases on the paper mean. A link is drawn from place to place; a chosen pin is moved; a tool
+ * is for one act, and is laid down behind it.
+ *
+ * @typedef {import("./sketch.js").Place} Place
+ * @typedef {import("./sketch.js").Sketch} Sketch
+ * @typedef {import("./snap.js").Meant} Meant
+ * @typedef {import("./editor.js").Editor} Editor
+ * @typedef {"" | import("./tool-acts.js").ToolName} Tool
+ */
+
+export class Hand {
+  /** @param {Editor} editor */
+  constructor(editor) {
+    this.editor = editor;
+    /** @type {Tool} */
+    this.tool = "";
+    /** What was pressed, and whether a chosen pin is moved. @type {Meant | null} */
+    this.begun = null;
+    this.moving = "";
+    /** The pin that a stone or a slider is for. */
+    this.pin = "";
+    this.free = false;
+    window.addEventListener("keydown", (event) => (this.free = event.altKey));
+    window.addEventListener("keyup", (event) => (this.free = event.altKey));
+  }
+
+  /** How what is pointed at is to be taken. */
+  how() {
+    const from = this.begun === null || this.moving !== "" ? undefined : this.begun.place;
+    const aims = this.tool === "slider" && this.begun !== null;
+    return { except: this.moving === "" ? undefined : this.moving, from, free: aims || this.free };
+  }
+
+  /**
+   * Take a tool; what is chosen is what it is for, if that can be.
+   * @param {Tool} tool
+   */
+  take(tool) {
+    const { editor } = this;
+    const { letter, number } = editor.chosen;
+    this.cancel();
+    if (tool === "support" && letter !== undefined) editor.act(acts.supported(editor.sketch, letter));
+    else if (tool === "drive" && number !== undefined) this.drive(number);
+    else this.tool = tool;
+    this.pin = letter ?? "";
+    editor.changed();
+    editor.tell(this.tool === "" ? "" : editor.say(this.tool === "stone" && this.pin !== "" ? "scheme stone bar" : `scheme do ${this.tool}`));
+  }
+
+  /** @param {number} number */
+  drive(number) {
+    const { sketch, numbers } = drivenBy(this.editor.sketch, number);
+    this.editor.act(sketch, {}, { numbers });
+  }
+
+  cancel() {
+    this.tool = "";
+    this.begun = null;
+    this.moving = "";
+    this.pin = "";
+    this.editor.paper.stretch({ from: null, to: null, says: "" });
+    this.editor.changed();
+  }
+
+  /** @param {Meant} meant */
+  press(meant) {
+    const { chosen } = this.editor;
+    this.begun = meant;
+    if (this.tool === "" && meant.letter !== undefined && meant.letter === chosen.letter) this.moving = meant.letter;
+    if (this.tool === "slider" && this.pin === "") this.pin = meant.letter ?? "";
+  }
+
+  /** @param {Meant} meant */
+  hover(meant) {
+    const { paper } = this.editor;
+    const from = this.startOf();
+    if (this.begun !== null && this.moving !== "") {
+      const { sketch } = this.editor;
+      const there = moved(sketch, this.moving, meant.place);
+      paper.sketch = there;
+      paper.draw();
+      paper.stretch({ from: null, to: { ...meant, place: placeOf(there, this.moving) }, says: this.lengths(there, this.moving) });
+      return;
+    }
+    paper.stretch({ from, to: meant, says: this.says(meant, from) });
+  }
+
+  /** Where the line begins that is being drawn. */
+  startOf() {
+    if (this.begun === null || !["", "slider", "cylinder"].includes(this.tool)) return null;
+    return this.tool === "slider" && this.pin !== "" ? placeOf(this.editor.sketch, this.pin) : this.begun.place;
+  }
+
+  /**
+   * What is said beside the pointer: what will be joined, or how long it is.
+   * @param {Meant} meant
+   * @param {Place | null} from
+   */
+  says(meant, from) {
+    const { editor } = this;
+    if (this.tool === "slider" && from !== null) return `${this.angle(from, meant.place)}°`;
+    const joins =
+      meant.letter !== undefined
+        ? editor.say("scheme joined", { letter: meant.letter })
+        : meant.bar !== undefined
+          ? editor.say("scheme on link", { number: meant.bar.number })
+          : "";
+    const long = from === null ? 0 : Math.round(1000 * apart(from, meant.place));
+    return [long > 0 ? `${long} ${editor.say("mm")}` : "", joins].filter(Boolean).join(" · ");
+  }
+
+  /**
+   * The lengths from a pin that is moved to the others of its links, mm.
+   * @param {Sketch} sketch
+   * @param {string} letter
+   */
+  lengths(sketch, letter) {
+    const others = bodiesAt(sketch, letter).flatMap((body) => (body === frameOf(sketch) ? [] : body.points.filter((one) => one !== letter && one !== body.centre)));
+    return others.map((one) => `${one}${letter} ${Math.round(1000 * apart(placeOf(sketch, one), placeOf(sketch, letter)))}`).join(" · ");
+  }
+
+  /**
+   * @param {Place} from
+   * @param {Place} to
+   */
+  angle(from, to) {
+    const [x, y] = minus(to, from);
+    const degrees = (Math.atan2(y, x) * 180) / Math.PI;
+    return this.free ? Math.round(10 * degrees) / 10 : DEGREES * Math.round(degrees / DEGREES);
+  }
+
+  /**
+   * @param {Meant} meant
+   * @param {boolean} drawn elsewhere than it was pressed
+   */
+  release(meant, drawn) {
+    const { begun, tool, moving, pin } = this;
+    if (begun === null) return;
+    const from = this.startOf();
+    this.begun = null;
+    this.moving = "";
+    this.editor.paper.stretch({ from: null, to: null, says: "" });
+    const angle = from === null || (!drawn && apart(from, meant.place) === 0) ? 0 : this.angle(from, meant.place);
+    if (tool !== "") this.use(tool, { begun, meant, drawn, angle, pin });
+    else if (moving !== "") this.editor.move(moving, drawn ? meant.place : null);
+    else if (drawn) this.link(begun, meant);
+    else this.choose(meant);
+  }
+
+  /** @param {Meant} meant */
+  choose(meant) {
+    const { editor } = this;
+    if (meant.letter !== undefined) editor.choose({ letter: meant.letter });
+    else editor.choose(meant.bar === undefined ? {} : { number: meant.bar.number });
+  }
+
+  /**
+   * @param {Meant} start
+   * @param {Meant} end
+   */
+  link(start, end) {
+    const { editor } = this;
+    const made = acts.linked(editor.sketch, targetOf(start), targetOf(end));
+    if (made === null) editor.refuse("scheme same link");
+    else editor.act(made.sketch, { letter: made.letter });
+  }
+
+  /**
+   * Use a tool, and lay it down.
+   * @param {Tool} tool
+   * @param {import("./tool-acts.js").Use} use
+   */
+  use(tool, use) {
+    const { editor } = this;
+    this.tool = "";
+    this.pin = "";
+    const done = tool === "" ? null : TOOL_ACTS[tool](editor, use);
+    if (done === null) editor.refuse(`scheme do ${tool}`);
+    else if ("wait" in done) [this.tool, this.pin] = [tool, done.wait];
+    else editor.act(done.sketch, done.letter === undefined ? editor.chosen : { letter: done.letter }, { numbers: done.numbers ?? {} });
+    if (done !== null && "wait" in done) editor.tell(editor.say("scheme stone bar"));
+    editor.changed();
+  }
+}

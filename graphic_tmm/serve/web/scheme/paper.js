@@ -1,0 +1,162 @@
+import { drawnElement, element } from "../../../page/web/dom.js";
+import { listenToKeys } from "./paper-keys.js";
+import { listenToPointers } from "./pointers.js";
+import { boundsOf, placeOf } from "./sketch.js";
+import { drawnSketch } from "./signs.js";
+import { meant } from "./snap.js";
+import { View } from "./view.js";
+
+/**
+ * The paper: what is drawn on it, and what a pointer, fingers or the keys do there; what that means is an editor's.
+ *
+ * @typedef {import("./sketch.js").Place} Place
+ * @typedef {import("./sketch.js").Sketch} Sketch
+ * @typedef {import("./signs.js").Chosen} Chosen
+ * @typedef {import("./snap.js").Meant} Meant
+ * @typedef {import("./view.js").Dots} Dots
+ * @typedef {{from: Place | null, to: Meant | null, angle?: number, says: string}} Rubber what is being drawn
+ * @typedef {{press: (meant: Meant) => void, hover: (meant: Meant) => void, release: (meant: Meant, drawn: boolean) => void,
+ *   cancel: () => void, key: (event: KeyboardEvent) => boolean, how: () => import("./snap.js").How}} Hand
+ */
+
+const RING = 18;
+
+export class Paper {
+  /**
+   * @param {string} label
+   * @param {Hand} hand
+   */
+  constructor(label, hand) {
+    this.hand = hand;
+    this.view = new View();
+    this.svg = drawnElement("svg", { class: "scheme-paper", tabindex: 0, role: "application", "aria-label": label });
+    this.layers = ["squares", "under", "mechanism", "over"].map((name) => drawnElement("g", { class: name }));
+    this.svg.append(...this.layers);
+    this.element = element("div", { class: "scheme-window" }, this.svg);
+    /** @type {Sketch | null} */
+    this.sketch = null;
+    /** @type {Chosen} */
+    this.chosen = {};
+    /** @type {Rubber} */
+    this.rubber = { from: null, to: null, says: "" };
+    /** Where the keys are, m; null while a pointer is at work. @type {Place | null} */
+    this.cross = null;
+    /** What is to be done when the paper lies elsewhere. */
+    this.under = () => {};
+    listenToPointers(this);
+    listenToKeys(this);
+    new ResizeObserver(() => this.measure()).observe(this.element);
+  }
+
+  measure() {
+    const { width, height } = this.element.getBoundingClientRect();
+    if (width === 0 || height === 0) return;
+    this.view.resize(width, height);
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
+    this.draw();
+  }
+
+  /**
+   * @param {Sketch} sketch
+   * @param {Chosen} chosen
+   */
+  show(sketch, chosen) {
+    this.sketch = sketch;
+    this.chosen = chosen;
+    this.draw();
+  }
+
+  /** Show all of the mechanism. */
+  fit() {
+    this.view.fit(this.sketch === null ? null : boundsOf(this.sketch));
+    this.draw();
+  }
+
+  /** @param {number} by */
+  zoom(by) {
+    this.view.zoom(by);
+    this.draw();
+  }
+
+  /** @param {Rubber} rubber */
+  stretch(rubber) {
+    this.rubber = rubber;
+    this.drawOver();
+  }
+
+  draw() {
+    if (this.sketch === null) return;
+    const [squares, , mechanism] = this.layers;
+    squares?.replaceChildren(...this.squares());
+    mechanism?.replaceChildren(...drawnSketch(this.sketch, this.view, this.chosen));
+    this.under();
+    this.drawOver();
+  }
+
+  /** Squares of the paper: every tenth line is stronger. */
+  squares() {
+    const { view } = this;
+    const step = view.square;
+    const [left, top] = view.place([0, 0]);
+    const [right, low] = view.place([view.width, view.height]);
+    let fine = "";
+    let coarse = "";
+    const add = (/** @type {number} */ n, /** @type {string} */ d) => (n % 10 === 0 ? (coarse += d) : (fine += d));
+    for (let n = Math.ceil(left / step); n * step <= right; n += 1) add(n, `M${view.dots([n * step, 0])[0].toFixed(1)} 0V${view.height}`);
+    for (let n = Math.ceil(low / step); n * step <= top; n += 1) add(n, `M0 ${view.dots([0, n * step])[1].toFixed(1)}H${view.width}`);
+    return [drawnElement("path", { class: "fine", d: fine }), drawnElement("path", { class: "coarse", d: coarse })];
+  }
+
+  /** What is being drawn: a line, what it is in line with, what will be joined; the cross of the keys. */
+  drawOver() {
+    const { view, rubber } = this;
+    const made = [];
+    if (rubber.to !== null) {
+      const [x, y] = view.dots(rubber.to.place);
+      for (const line of rubber.to.lines) made.push(drawnElement("path", { class: "in-line", d: `M${line.map((one) => view.dots(one).join(" ")).join("L")}` }));
+      if (rubber.from !== null) made.push(drawnElement("path", { class: "rubber", d: `M${view.dots(rubber.from).join(" ")}L${x} ${y}` }));
+      if (rubber.to.letter !== undefined || rubber.to.bar !== undefined) made.push(drawnElement("circle", { class: "joins", cx: x, cy: y, r: RING }));
+      if (rubber.says !== "") made.push(says(rubber.says, x, y - RING - 8));
+    }
+    const { letter } = this.chosen;
+    if (letter !== undefined && this.sketch !== null) {
+      const [x, y] = view.dots(placeOf(this.sketch, letter));
+      made.push(drawnElement("circle", { class: "grip", cx: x, cy: y, r: RING - 4 }));
+    }
+    if (this.cross !== null) {
+      const [x, y] = view.dots(this.cross);
+      made.push(drawnElement("path", { class: "cross", d: `M${x - 22} ${y}H${x + 22}M${x} ${y - 22}V${y + 22}` }));
+    }
+    this.layers[3]?.replaceChildren(...made);
+  }
+
+  /**
+   * @param {Dots} spot
+   * @param {boolean} coarse
+   */
+  meant(spot, coarse = false) {
+    const sketch = /** @type {Sketch} */ (this.sketch);
+    return meant(sketch, this.view, spot, { ...this.hand.how(), coarse });
+  }
+
+  /**
+   * @param {PointerEvent | WheelEvent} event
+   * @returns {Dots}
+   */
+  spot(event) {
+    const box = this.svg.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  }
+}
+
+/**
+ * A word beside what is being drawn.
+ * @param {string} word
+ * @param {number} x
+ * @param {number} y
+ */
+function says(word, x, y) {
+  const made = drawnElement("text", { class: "says", x, y });
+  made.append(word);
+  return made;
+}

@@ -1,0 +1,68 @@
+import * as acts from "./acts.js";
+import { driving } from "./changes.js";
+import { bodiesAt, frameOf } from "./sketch.js";
+import { guideBar } from "./snap.js";
+
+/**
+ * What each tool does where it was used: a sketch (null: nothing) with the letter that is chosen then, a pin that it
+ * waits with for the next click, or null where it was not meant.
+ *
+ * @typedef {import("./editor.js").Editor} Editor
+ * @typedef {import("./sketch.js").Sketch} Sketch
+ * @typedef {import("./sketch.js").Target} Target
+ * @typedef {import("./snap.js").Meant} Meant
+ * @typedef {"support" | "slider" | "stone" | "cylinder" | "point" | "centre" | "drive"} ToolName
+ * @typedef {{begun: Meant, meant: Meant, drawn: boolean, angle: number, pin: string}} Use where it was pressed and released;
+ *   angle: of the way between them, degrees; pin: that it is for, "" for none
+ * @typedef {{sketch: Sketch | null, letter?: string, numbers?: Record<string, number>} | {wait: string} | null} Done
+ */
+
+/** @type {Record<ToolName, (editor: Editor, use: Use) => Done>} */
+export const TOOL_ACTS = {
+  support: ({ sketch }, { meant: { letter } }) => (letter === undefined ? null : { sketch: acts.supported(sketch, letter), letter }),
+  slider: ({ sketch }, { pin, angle }) => (pin === "" ? null : { sketch: acts.guided(sketch, pin, angle), letter: pin }),
+  stone: ({ sketch }, { pin, meant }) => {
+    if (pin === "") return meant.letter === undefined ? null : { wait: meant.letter };
+    return meant.bar === undefined ? null : { sketch: acts.stoned(sketch, pin, guideBar(sketch, meant.bar)), letter: pin };
+  },
+  cylinder: ({ sketch }, { begun, meant, drawn }) => (drawn ? acts.cylinder(sketch, targetOf(begun), targetOf(meant)) : null),
+  point: ({ sketch, chosen }, { meant }) => (chosen.number === undefined ? null : acts.pinned(sketch, chosen.number, targetOf(meant))),
+  centre: ({ sketch, chosen }, { meant }) => {
+    const number = meant.bar?.number ?? chosen.number ?? linkAt(sketch, meant);
+    return number === undefined ? null : { sketch: acts.centred(sketch, number, meant.place) };
+  },
+  drive: ({ sketch }, { meant }) => {
+    const number = linkAt(sketch, meant);
+    return number === undefined ? null : drivenBy(sketch, number);
+  },
+};
+
+/**
+ * Let a link drive, as number 1.
+ * @param {Sketch} sketch
+ * @param {number} number
+ * @returns {{sketch: Sketch | null, numbers: Record<string, number>}}
+ */
+export function drivenBy(sketch, number) {
+  return { sketch: driving(sketch, number), numbers: number === 1 ? {} : { [number]: 1 } };
+}
+
+/**
+ * Return the link that is meant: that of a bar, at a pin the one with most letters.
+ * @param {Sketch} sketch
+ * @param {Meant} meant
+ */
+function linkAt(sketch, { letter, bar }) {
+  if (letter === undefined) return bar?.number;
+  const there = bodiesAt(sketch, letter).filter((one) => one !== frameOf(sketch));
+  return there.sort((a, b) => b.points.length - a.points.length)[0]?.number;
+}
+
+/**
+ * @param {Meant} meant
+ * @returns {Target}
+ */
+export function targetOf({ letter, bar, place }) {
+  if (letter !== undefined) return { letter };
+  return bar === undefined ? { place } : { bar, place };
+}
