@@ -14,6 +14,20 @@ from graphic_tmm.scene.mechanism import Guide
 _SQUARE = 1e-6
 """A side whose direction has no more than this in common (cosine) with a guide lies on neither side of it."""
 _WORDS = {"right": (1, 0), "left": (-1, 0), "above": (0, 1), "below": (0, -1)}
+OTHER_WAY = {
+    one: other
+    for pair in (
+        ("+", "-"),
+        ("right", "left"),
+        ("above", "below"),
+        ("справа", "слева"),
+        ("выше", "ниже"),
+        ("left of", "right of"),
+        ("слева от", "справа от"),
+    )
+    for one, other in (pair, pair[::-1])
+}
+"""Words for a side, each with that for the other."""
 
 
 def direction(start: complex, end: complex) -> float:

@@ -10,30 +10,17 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Slide
 from graphic_tmm.scene import guides
+from graphic_tmm.scene.build import mechanism_of
 from graphic_tmm.scene.declare import Names, Sort
 from graphic_tmm.scene.document import Document, as_table, raw_links
 from graphic_tmm.scene.meaning import alike, inner, is_point, left_out, meant, same, sort_of
 from graphic_tmm.scene.mechanism import DIGITS, Joints
 from graphic_tmm.scene.quantities import measuring, si
-from graphic_tmm.scene.sections import lengths_of, measures
+from graphic_tmm.scene.sections import lengths_of, measures, understand
 from graphic_tmm.scene.values import SENSE, link_side
 
 AS_IT_IS = Joints()
 """The hand that rounds nothing."""
-_OTHER_WAY = dict(
-    (pair[k], pair[1 - k])
-    for pair in (
-        ("+", "-"),
-        ("right", "left"),
-        ("above", "below"),
-        ("справа", "слева"),
-        ("выше", "ниже"),
-        ("left of", "right of"),
-        ("слева от", "справа от"),
-    )
-    for k in (0, 1)
-)
-"""Words for a side, each with that for the other."""
 _GEOMETRY = ("points", "guides", "slides")
 
 
@@ -60,7 +47,7 @@ def tables_of(
     Raises
     ------
     SceneError
-        If an arm that is welded to a link has changed.
+        If a link that others are welded to has changed.
     """
     doc = doc or {}
     with measuring(measures(doc)):
@@ -141,7 +128,11 @@ def _sense(slide: Slide, told: object, *, fixed: bool) -> str:
         except ValueError:
             sign = 0
         if sign:
-            return told if sign == slide.side.sign else _OTHER_WAY.get(told, _OTHER_WAY[word])
+            return (
+                told
+                if sign == slide.side.sign
+                else guides.OTHER_WAY.get(told, guides.OTHER_WAY[word])
+            )
     return "+" if slide.side.sign > 0 else "-"
 
 
@@ -158,7 +149,7 @@ def _side(sign: int, left_of: tuple[str, str], told: object) -> str:
         return str(told)
     return next(
         text.replace(word, other, 1)
-        for word, other in _OTHER_WAY.items()
+        for word, other in guides.OTHER_WAY.items()
         if text.startswith(word) and " " in word
     )
 
@@ -183,10 +174,10 @@ class _Tables:
         if joints := as_table(self.doc.get("joints")):
             made["joints"] = self._settled("joints", joints, self._joints, hand)
         links = {one.number: one for one in self.mechanism.drawn}
-        arms = {arm.number: one for one in links.values() for arm in one.arms}
+        welded = {arm.number: one for one in links.values() for arm in one.arms}
         for number in dict.fromkeys((*self.told, *links)):
-            if number in arms:
-                made["link"].append(self._unchanged(number, arms[number]))
+            if number in welded:
+                made["link"].append(self._as_it_was(number, welded[number]))
             elif number in links:
                 made["link"].append(self._link(links[number], hand))
         return made
@@ -272,21 +263,16 @@ class _Tables:
             made["slides"] = slides if isinstance(own["slides"], list) else slides[0]
         return made
 
-    def _unchanged(self, arm: int, body: Link) -> Document:
-        """Return the table of an arm as it was; refuse one whose body has changed."""
-        raise SceneError(
-            "",
-            (
-                Fault(
-                    f"link {arm}",
-                    0,
-                    said(
-                        "an arm of link {body} is told in its own axes; change it in the file",
-                        body=body.number,
-                    ),
-                ),
-            ),
-        )
+    def _as_it_was(self, number: int, body: Link) -> Document:
+        """Return the table of a part of a body that is welded; refuse a body that has changed."""
+        was = mechanism_of(understand(self.doc)[0])
+        if was is None or not alike(was.by_number.get(body.number), body):
+            says = said(
+                "link {body} has arms that are told in their own axes; change them in the file",
+                body=body.number,
+            )
+            raise SceneError("", (Fault(f"link {number}", 0, says),))
+        return self.told[number]
 
 
 def _is_listed(link: Mapping[str, Any]) -> bool:

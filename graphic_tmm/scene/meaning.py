@@ -107,6 +107,25 @@ def alike(one: Any, other: Any, angle: bool = False) -> bool:
     return bool(one == other)
 
 
+def value_at(doc: Document, path: Path) -> Any:
+    """Return the value at a path; None if there is none."""
+    at: Any = doc
+    for part in path:
+        try:
+            at = at[part]
+        except (KeyError, IndexError, TypeError):
+            return None
+    return at
+
+
+def sort_at(doc: Document, path: Path) -> Sort | None:
+    """Return what may stand at a path of a document; None if nobody says."""
+    sort, at = sort_of(str(path[0])), value_at(doc, path[:1])
+    for part in path[1:]:
+        sort, at = inner(sort, at, part), value_at(at, (part,))
+    return sort
+
+
 def leaves(doc: Document) -> Iterator[tuple[Path, Sort | None, Any]]:
     """Yield every value of a document that is no table and no list of them: its path, its sort, itself."""
     for section, value in doc.items():

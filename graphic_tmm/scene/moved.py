@@ -12,20 +12,22 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from graphic_tmm.scene.declare import FAULTY, Names, Path, Sort
+from graphic_tmm.scene.declare import Names, Path, Sort
 from graphic_tmm.scene.document import Document, toml
 from graphic_tmm.scene.meaning import (
     alike,
     inner,
     is_point,
-    leaves,
     left_out,
     meant,
     same,
+    sort_at,
     sort_of,
+    value_at,
 )
 from graphic_tmm.scene.mechanism import DIGITS
-from graphic_tmm.scene.quantities import NUMBER, measuring, si
+from graphic_tmm.scene.named_lengths import name_at, places_of, solved
+from graphic_tmm.scene.quantities import NUMBER, measuring
 from graphic_tmm.scene.sections import LENGTHS, lengths_of, measures
 from graphic_tmm.scene.splice import Unplaced, set_to, with_table, without_table
 from graphic_tmm.scene.units import UNITS, plain_unit
@@ -72,8 +74,8 @@ def uses(text: str, path: Path) -> tuple[Path, ...]:
     """
     doc = tomllib.loads(text.removeprefix(MARK))
     with measuring(measures(doc)):
-        name = path[1] if path[:1] == (LENGTHS,) else _name(doc, path)
-        return () if name is None else _uses(doc, str(name))
+        name = path[1] if path[:1] == (LENGTHS,) else name_at(doc, path)
+        return () if name is None else places_of(doc, str(name))
 
 
 @dataclass(frozen=True)
@@ -139,10 +141,10 @@ def _with_lengths(
     own = doc.get(LENGTHS, {})
     told = set[str]()
     for path, new in changes:
-        name = None if new is None else _name(doc, path)
+        name = None if new is None else name_at(doc, path)
         if name is None or name in told:
             continue
-        several = len(_uses(doc, name)) > 1
+        several = len(places_of(doc, name)) > 1
         if several and not everywhere:
             continue
         if name not in own:
@@ -150,59 +152,10 @@ def _with_lengths(
                 raise Unplaced(path)
             continue
         told.add(name)
-        length = _solved(doc, path, name, new)
+        length = solved(doc, path, name, new)
         if length is not None:
             text = set_to(text, (LENGTHS, name), _length(length, own[name]))
     return text
-
-
-def _solved(doc: Document, path: Path, name: str, wanted: object) -> float | None:
-    """Return how long a named length (m) is if a sum with it is as long as wanted."""
-    names, sort = lengths_of(doc), _sort_at(doc, path)
-    zero, one = (meant(sort, _at(doc, path), {**names, name: length}) for length in (0.0, 1.0))
-    new = meant(sort, wanted, names)
-    if not all(isinstance(x, float) for x in (zero, one, new)) or zero == one:
-        return None
-    return si((new - zero) / (one - zero), "length")
-
-
-def _name(doc: Document, path: Path) -> str | None:
-    """Return the named length that a value hangs on; None of one by no name, or by several."""
-    names, sort, value = lengths_of(doc), _sort_at(doc, path), _at(doc, path)
-    found = [name for name in names if _hangs_on(sort, value, name, names)]
-    return found[0] if len(found) == 1 else None
-
-
-def _uses(doc: Document, name: str) -> tuple[Path, ...]:
-    names = lengths_of(doc)
-    return tuple(path for path, sort, value in leaves(doc) if _hangs_on(sort, value, name, names))
-
-
-def _hangs_on(sort: Sort | None, value: object, name: str, names: Names) -> bool:
-    """Whether a value means something else if a named length is another."""
-    if not isinstance(value, str) or name not in value:
-        return False
-    other = {**names, name: 2.0 * names[name] + 1.0}
-    one, two = meant(sort, value, names), meant(sort, value, other)
-    return one is not FAULTY and two is not FAULTY and not alike(one, two)
-
-
-def _at(doc: Document, path: Path) -> Any:
-    """Return the value at a path; None if there is none."""
-    at: Any = doc
-    for part in path:
-        try:
-            at = at[part]
-        except (KeyError, IndexError, TypeError):
-            return None
-    return at
-
-
-def _sort_at(doc: Document, path: Path) -> Sort | None:
-    sort, at = sort_of(str(path[0])), _at(doc, path[:1])
-    for part in path[1:]:
-        sort, at = inner(sort, at, part), _at(at, (part,))
-    return sort
 
 
 def _with_values(text: str, changes: list[tuple[Path, Any]]) -> str:
@@ -210,7 +163,7 @@ def _with_values(text: str, changes: list[tuple[Path, Any]]) -> str:
     doc = tomllib.loads(text)
     names = lengths_of(doc)
     for path, new in changes:
-        old, sort = _at(doc, path), _sort_at(doc, path)
+        old, sort = value_at(doc, path), sort_at(doc, path)
         if new is None:
             text = _without(text, path)
         elif old is None or not same(sort, old, new, names):

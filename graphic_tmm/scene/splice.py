@@ -13,7 +13,7 @@ from typing import Any
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import key_text, toml
 from graphic_tmm.scene.lines import Layout, layout
-from graphic_tmm.scene.sections import declared
+from graphic_tmm.scene.sections import LENGTHS, declared
 from graphic_tmm.scene.vary import put
 
 _REST = re.compile(r"[^\n]*\n?")
@@ -186,6 +186,8 @@ def without_table(text: str, path: Path) -> str:
     if path not in there.headers:
         raise Unplaced(path)
     wanted = put(tomllib.loads(text), path, None)
+    if wanted.get(str(path[0])) == []:
+        del wanted[str(path[0])]
     for one in sorted(own, key=lambda one: there.headers[one], reverse=True):
         begin, end = _block(text, there, one)
         behind = _EMPTY.match(text, end)
@@ -208,17 +210,23 @@ def with_table(text: str, section: str, table: dict[str, Any], *, several: bool)
     there, doc = layout(text), tomllib.loads(text)
     wanted = {**doc, section: [*doc.get(section, ()), table] if several else table}
     newline = _newline(text)
-    order = list(declared())
+    order = [LENGTHS, *declared()]
     before = order[: order.index(section) + 1]
-    ends = [_block(text, there, one)[1] for one in there.headers if one[0] in before]
+    blocks = {one: _block(text, there, one) for one in there.headers}
+    ends = [end for one, (_, end) in blocks.items() if one[0] in before]
+    begin = min((begin for begin, _ in blocks.values()), default=len(text))
+    at = max(ends, default=begin)
     name = key_text(section)
-    wide = max(map(len, table)) if _ALIGNED.search(text) or not there.headers else 0
+    wide = max(map(len, table)) if _ALIGNED.search(text) or len(blocks) < 2 else 0
     lines = [f"[[{name}]]" if several else f"[{name}]"]
     lines += [f"{key_text(key):<{wide}} = {toml(value)}" for key, value in table.items()]
-    at = max(ends, default=len(text))
-    gap = newline if text[:at].endswith("\n") or not at else 2 * newline
-    block = newline.join(lines) + newline
-    return _checked(f"{text[:at]}{gap if at else ''}{block}{text[at:]}", wanted, (section,))
+    block = "".join(line + newline for line in lines)
+    if blocks and not ends:
+        made = f"{text[:at]}{block}{newline}{text[at:]}"
+    else:
+        gap = "" if not at else newline if text[:at].endswith("\n") else 2 * newline
+        made = f"{text[:at]}{gap}{block}{text[at:]}"
+    return _checked(made, wanted, (section,))
 
 
 def _block(text: str, there: Layout, header: Path) -> tuple[int, int]:

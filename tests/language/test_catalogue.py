@@ -41,6 +41,7 @@ RUSSIAN_BY_NATURE = {
     "scene/misfits.py": "input: yes and no",
     "scene/coordinates.py": "input: the Russian word of the other extreme",
     "scene/values.py": "input: Russian synonyms of choices",
+    "scene/guides.py": "input: Russian synonyms of choices",
     "scene/letters.py": "input: letters of points may be Cyrillic; which of them look alike",
     "scene/author.py": "input: Russian synonyms of choices; examples of an author's words",
     "scene/drawing.py": "input: Russian synonyms of choices; the example of a title",

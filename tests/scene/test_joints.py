@@ -214,3 +214,19 @@ def test_a_hand_that_is_off_draws_the_same_assembly(name: str) -> None:
             count += 1
             near += off < 0.03
     assert near >= 0.9 * count
+
+
+def test_joints_of_an_imperial_scene_stand_where_they_are_written() -> None:
+    """A scene that is kept in feet has the same motion, in feet."""
+    metres, feet = (
+        graphic_tmm.read(SLOTTED.replace("[frame]", f"{units}[frame]", 1))
+        for units in ("", IMPERIAL)
+    )
+    one, other = (
+        graphic_tmm.motion(scene, [40.0], plans=("positions",)).places for scene in (metres, feet)
+    )
+    for key, place in one.items():
+        assert abs(other[key] * 0.3048 - place) < 1e-12
+
+
+IMPERIAL = 'units = "imperial"\n'
