@@ -10,6 +10,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path as File
 from typing import Any, NamedTuple
 
@@ -21,7 +22,7 @@ from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import Said, said
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.guides import turn
-from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.sketch import built, lying
 from graphic_tmm.mechanism.structure import count, dissect
 from graphic_tmm.readers.any_angles.motion import Recorded, motion, recorded
@@ -42,13 +43,14 @@ from graphic_tmm.serve.scheme.sketches import (
     is_sketch,
     lying_document,
     scaled,
+    shifted,
     sketch_of,
 )
 
 STEP, SMALL = 1e-3, 1e-4
 """Lengths are multiples of the first, m; of a mechanism smaller than `TINY` of the second."""
 TINY = 0.05
-NEAR = 0.012
+NEAR = 0.01
 """What lies nearer to a line was meant on it, of the mechanism's size: hands click 0.5 mm off on 150 (sd)."""
 UNSURE = 0.05
 """As `scene.joints.UNSURE`: nobody sees a side there."""
@@ -111,18 +113,24 @@ def scheme(
         If what was drawn or typed cannot stand so.
     """
     text, doc = parsed(data, file) if data else ("", _begun(speech))
+    shift = 0j
     if asked.sketch is not None:
         sketch = _scaled(asked, text, file) if asked.scale else asked.sketch
         stands = _standing(sketch, doc)
         if stands.lies is None:
             return _answer(sketch, stands, speech)
+        if not text:
+            shift = _origin(stands)
+            sketch = shifted(sketch, shift)
+            stands = _standing(sketch, doc)
         text = _written(text, doc, stands, file)
         asked = asked._replace(at=stands.at)
     if asked.typed:
         text = edited(text.encode(), asked.typed, file).decode()
     found = _shown(text, asked, file, speech)
     errors = new_faults(data, text.encode(), file, missing) if data else ()
-    return found | {"errors": [speech(one.message) for one in errors]}
+    told = [speech(one.message) for one in errors]
+    return found | {"errors": told, "shift": [shift.real, shift.imag]}
 
 
 def drawing_of(told: Mapping[str, Any]) -> Drawing | None:
@@ -139,7 +147,7 @@ def drawing_of(told: Mapping[str, Any]) -> Drawing | None:
         return None
     try:
         links = {int(was): int(now) for was, now in numbers.items()}
-        count = min(int(turn or 0), MOST_PLACES)
+        count = min(int(turn) if turn is not None else 0, MOST_PLACES)
     except (AttributeError, TypeError, ValueError):
         return None
     return Drawing(sketch, names[0], links, names[1], told.get("scale") is True, at, max(count, 0))
@@ -219,20 +227,53 @@ def _written(text: str, doc: Document, stands: Standing, file: File) -> str:
     size = _size(lies)
     before = _bare(doc).mechanism if text else None
     found = built(lies, at if driven.pair.kind == "R" else 0.0, before)
-    known = {link.number for link in before.drawn} if before is not None else set()
+    mechanism = found.mechanism
     for name, doubt in found.doubt.items():
-        if doubt < UNSURE and not known >= set(map(int, name.split("-"))):
-            says = said(
-                "group {name} is drawn so near to where both its assemblies meet that nobody sees its side: "
-                "draw it with the crank turned on a little",
-                name=name,
-            )
-            raise SceneError(str(file), (Fault("", 0, says),))
+        if doubt < UNSURE:
+            mechanism = _sided(mechanism, before, name, file)
     hand = Joints(to=STEP if size > TINY else SMALL, near=NEAR * size)
     way = {} if driven.pair.kind == "R" else _way(doc, at, size)
     drive = _driven(doc, lies.drive.link, way)
-    tables = {**tables_of(found.mechanism, hand, doc, lies), "drive": drive}
+    tables = {**tables_of(mechanism, hand, doc, lies), "drive": drive}
     return rewritten(text or _head(doc), tables)
+
+
+def _sided(mechanism: Mechanism, before: Mechanism | None, group: str, file: File) -> Mechanism:
+    """Return a mechanism in which a group has the sides that it had before.
+
+    Raises
+    ------
+    SceneError
+        If it was not there.
+    """
+    known = {link.number: link for link in before.drawn} if before is not None else {}
+    numbers = set(map(int, group.split("-")))
+    if not numbers <= known.keys():
+        says = said(
+            "group {name} is drawn so near to where both its assemblies meet that nobody sees its side: "
+            "draw it with the crank turned on a little",
+            name=group,
+        )
+        raise SceneError(str(file), (Fault("", 0, says),))
+
+    def sided(link: Link) -> Link:
+        if link.number not in numbers:
+            return link
+        was = known[link.number]
+        sides = {(one.on, one.guide.name): one.side for one in was.slides}
+        slides = (replace(one, side=sides.get((one.on, one.guide.name))) for one in link.slides)
+        return replace(link, side=was.side, slides=tuple(slides))
+
+    return replace(mechanism, links=tuple(map(sided, mechanism.links)))
+
+
+def _origin(stands: Standing) -> complex:
+    """Return by how much a new mechanism is shifted, m: where it is driven, or first held, is the origin."""
+    assert stands.lies is not None
+    assert stands.driven is not None
+    fixed = stands.lies.frame.points
+    letter = stands.driven.pair.name if stands.driven.pair.kind == "R" else next(iter(fixed), "")
+    return -fixed[letter] if letter in fixed else 0j
 
 
 def _head(doc: Document) -> str:
@@ -353,4 +394,5 @@ def _answer(sketch: Sketch, stands: Standing, speech: Speech) -> dict[str, Any]:
         "fields": [],
         "errors": [],
         "turn": None,
+        "shift": [0.0, 0.0],
     }

@@ -73,10 +73,10 @@ def _lengths(fields: list[Field], doc: Document) -> Iterator[tuple[Field, str]]:
             case ("frame" | "joints", str(letter), int(axis)):
                 if not ZERO.fullmatch(field.text):
                     yield field, f"{'XY'[axis]} {letter}"
-            case ("frame", str(name), "through", int(axis)):
-                yield field, f"{name}, {'xy'[axis]}"
+            case ("frame", str(name), "through", int(axis)) if not ZERO.fullmatch(field.text):
+                yield field, f"{name}-{name}: {'XY'[axis]}"
             case ("frame", str(name), "angle"):
-                yield field, f"{name}, ∠"
+                yield field, f"{name}-{name}: ∠"
 
 
 def _of_point(points: Mapping[str, Any], letter: str, axis: int) -> str:

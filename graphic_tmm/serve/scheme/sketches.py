@@ -7,9 +7,10 @@ JSON: places of letters [x, y], m; links with number, letters, guides and slides
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from typing import Any
 
+from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Slide
 from graphic_tmm.scene.document import Document
 
@@ -127,17 +128,29 @@ def _place(place: list[float]) -> list[str]:
 
 def scaled(sketch: Sketch, by: float) -> Sketch:
     """Return a sketch that is larger."""
+    return _moved(sketch, lambda place: [by * length for length in place])
 
-    def larger(place: list[float]) -> list[float]:
-        return [by * length for length in place]
 
+def shifted(sketch: Sketch, by: complex) -> Sketch:
+    """Return a sketch that lies elsewhere, m; guides of the frame go through what is nearest to the origin."""
+    made = _moved(sketch, lambda place: [place[0] + by.real, place[1] + by.imag])
+    frame, *links = made["links"]
+    guides = {name: {**one, "through": _foot(one)} for name, one in frame["guides"].items()}
+    return {**made, "links": [{**frame, "guides": guides}, *links]}
+
+
+def _foot(guide: Mapping[str, Any]) -> list[float]:
+    way = turn(guide["angle"])
+    off = (complex(*guide["through"]) * way.conjugate()).imag
+    return _pair(1j * off * way)
+
+
+def _moved(sketch: Sketch, place: Callable[[list[float]], list[float]]) -> Sketch:
     def body(link: Sketch) -> Sketch:
-        guides = {
-            n: {**one, "through": larger(one["through"])} for n, one in link["guides"].items()
-        }
+        guides = {n: {**one, "through": place(one["through"])} for n, one in link["guides"].items()}
         return {**link, "guides": guides}
 
-    places = {letter: larger(place) for letter, place in sketch["places"].items()}
+    places = {letter: place(there) for letter, there in sketch["places"].items()}
     return {**sketch, "places": places, "links": [body(one) for one in sketch["links"]]}
 
 

@@ -67,8 +67,8 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme how": said("How it is drawn"),
     "scheme how text": said(
         "Drag on the paper: a link with two pins. What begins or ends on a pin is joined with it, on a bar it "
-        "is a point of that link. A click chooses; a chosen pin is dragged. Alt: no whole millimetres, no steps "
-        "of 15°. The wheel, or two fingers, zoom; the right button moves the paper."
+        "is a point of that link. A click chooses; a chosen pin is dragged. Alt: no whole millimetres, no "
+        "steps of 15°. The wheel, or two fingers, zoom; the right button moves the paper."
     ),
     "scheme keys": said(
         "Keys: arrows move the cross, Enter begins and ends, a letter names the chosen pin, a figure numbers "

@@ -1,6 +1,7 @@
 import { element } from "../../page/web/dom.js";
 import { themeButton } from "../../page/web/theme.js";
 import { Editor } from "./scheme/editor.js";
+import { blankSketch } from "./scheme/sketch.js";
 import { about, newScene, schemeAfter } from "./wire.js";
 
 /** @typedef {import("./types.js").DrawingPaper} DrawingPaper */
@@ -43,10 +44,17 @@ if (paper.several) head.prepend(element("a", { href: "./" }, words["scenes"] ?? 
 head.append(themeButton(words));
 main.replaceChildren(editor.element, element("aside", { "aria-label": words["scheme"] ?? "" }, form, editor.side.element));
 document.documentElement.classList.add("js");
-try {
-  const kept = JSON.parse(sessionStorage.getItem(MEMORY) ?? "null");
-  if (kept?.sketch?.links?.length > 1) editor.begin(kept.text, kept.sketch);
-} catch {
-  // what is kept is of no use
-}
 save.disabled = true;
+const { text, sketch } = remembered();
+editor.begin(text, sketch);
+
+/** @returns {{text: string, sketch: import("./types.js").Sketch}} */
+function remembered() {
+  try {
+    const kept = JSON.parse(sessionStorage.getItem(MEMORY) ?? "null");
+    if (kept?.sketch?.links?.length > 1) return kept;
+  } catch {
+    // what is kept is of no use
+  }
+  return { text: "", sketch: blankSketch() };
+}

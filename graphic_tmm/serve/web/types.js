@@ -30,8 +30,8 @@
  * @typedef {{letter: string, unit: string, low: number, high: number, closed: boolean}} Sweep what a drive goes through
  * @typedef {{at: number[], places: Record<string, ([number, number] | null)[]>}} Turn
  * @typedef {{version: string, sketch: Sketch, mobility: number | null, formula: string, says: string, text: string | null,
- *   at: number | null, sweep: Sweep | null, fields: SchemeField[], errors: string[], turn: Turn | null}} SchemeAnswer
- *   text: the scene, null while something is missing; says: what
+ *   at: number | null, sweep: Sweep | null, fields: SchemeField[], errors: string[], turn: Turn | null, shift: [number, number]}} SchemeAnswer
+ *   text: the scene, null while something is missing; says: what; shift: of the origin, m
  * @typedef {{text: string, sketch?: Sketch | null, letters?: Record<string, string>, numbers?: Record<string, number>,
  *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number}} SchemeAct
  * @typedef {{answer: SchemeAnswer | null, errors: string[], status: number}} SchemeTold status 409: the file has changed

@@ -1,8 +1,6 @@
 import {
   bodiesAt,
   bodyOf,
-  direction,
-  footOf,
   frameOf,
   freeGuide,
   freeLetter,
@@ -135,9 +133,7 @@ export function guided(sketch, letter, angle) {
     .flatMap((one) => one.slides)
     .find((one) => one.on === frame.number && one.along in frame.guides);
   const name = there?.along ?? freeGuide(made);
-  // as books give it: by where it passes the origin
-  const through = footOf({ through: placeOf(made, letter), way: direction(turned) }, [0, 0]);
-  frame.guides[name] = { through, angle: turned };
+  frame.guides[name] = { through: placeOf(made, letter), angle: turned };
   if (there === undefined) newBody(made, [letter]).slides.push({ on: frame.number, along: name });
   return made;
 }

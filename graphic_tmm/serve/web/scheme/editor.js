@@ -154,6 +154,8 @@ export class Editor {
   /** @param {SchemeAnswer} answer */
   take(answer) {
     this.answer = answer;
+    this.paper.shift(answer.shift);
+    this.picture.shift(answer.shift);
     if (answer.text !== null) this.text = answer.text;
     if (this.waiting === 0) this.sketch = answer.sketch;
     if (this.chosen.letter !== undefined && !(this.chosen.letter in this.sketch.places)) this.chosen = {};
@@ -174,7 +176,7 @@ export class Editor {
     this.measured = sketch === null;
     if (sketch !== null) this.sketch = sketch;
     await this.ask(text !== "" || sketch === null ? {} : { sketch });
-    this.paper.fit();
+    if (this.history.past.length === 0 && this.sketch.links.length > 1) this.paper.fit();
   }
 
   back() {

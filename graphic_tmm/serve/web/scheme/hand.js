@@ -46,7 +46,7 @@ export class Hand {
     const { editor } = this;
     const { letter, number } = editor.chosen;
     this.cancel();
-    if (tool === "support" && letter !== undefined) editor.act(acts.supported(editor.sketch, letter));
+    if (tool === "support" && letter !== undefined) editor.act(acts.supported(editor.sketch, letter), {});
     else if (tool === "drive" && number !== undefined) this.drive(number);
     else this.tool = tool;
     this.pin = letter ?? "";
@@ -184,7 +184,7 @@ export class Hand {
     const done = tool === "" ? null : TOOL_ACTS[tool](editor, use);
     if (done === null) editor.refuse(`scheme do ${tool}`);
     else if ("wait" in done) [this.tool, this.pin] = [tool, done.wait];
-    else editor.act(done.sketch, done.letter === undefined ? editor.chosen : { letter: done.letter }, { numbers: done.numbers ?? {} });
+    else editor.act(done.sketch, done.letter === undefined ? {} : { letter: done.letter }, { numbers: done.numbers ?? {} });
     if (done !== null && "wait" in done) editor.tell(editor.say("scheme stone bar"));
     editor.changed();
   }

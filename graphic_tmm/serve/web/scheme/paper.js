@@ -72,6 +72,14 @@ export class Paper {
     this.draw();
   }
 
+  /**
+   * Let the origin lie elsewhere, and what is drawn stay where it is seen.
+   * @param {Place} by m
+   */
+  shift([x, y]) {
+    this.view.pan(-x * this.view.scale, y * this.view.scale);
+  }
+
   /** @param {number} by */
   zoom(by) {
     this.view.zoom(by);

@@ -97,6 +97,11 @@ export class Picture {
     this.canvas.style.opacity = this.pale.value;
   }
 
+  /** @param {Place} by m */
+  shift([x, y]) {
+    this.at = [this.at[0] + x, this.at[1] + y];
+  }
+
   /** @param {number} by */
   scale(by) {
     this.at = [this.at[0] * by, this.at[1] * by];

@@ -45,6 +45,7 @@ export class Side {
 
   structureLines() {
     const { answer } = this.editor;
+    if (this.editor.waiting > 0 && answer === null) return ["…"];
     if (answer === null) return [element("span", {}, this.editor.say("scheme begin"))];
     this.refuse(answer.errors);
     const lines = [];

@@ -73,7 +73,7 @@ function numberAt(sketch, body, view) {
   const dots = body.points.filter((one) => one !== body.centre).map((one) => view.dots(placeOf(sketch, one)));
   const [first] = dots;
   if (first === undefined) return null;
-  if (dots.length === 1) return [first[0] + 18, first[1] + 24];
+  if (dots.length === 1) return [first[0] + 22, first[1] + 20];
   if (dots.length > 2) return [mean(dots.map((one) => one[0])), mean(dots.map((one) => one[1]))];
   const last = /** @type {Dots} */ (dots[1]);
   const [x, y] = unit(minus(last, first));

@@ -19,11 +19,11 @@ import { guideBar } from "./snap.js";
 
 /** @type {Record<ToolName, (editor: Editor, use: Use) => Done>} */
 export const TOOL_ACTS = {
-  support: ({ sketch }, { meant: { letter } }) => (letter === undefined ? null : { sketch: acts.supported(sketch, letter), letter }),
-  slider: ({ sketch }, { pin, angle }) => (pin === "" ? null : { sketch: acts.guided(sketch, pin, angle), letter: pin }),
+  support: ({ sketch }, { meant: { letter } }) => (letter === undefined ? null : { sketch: acts.supported(sketch, letter) }),
+  slider: ({ sketch }, { pin, angle }) => (pin === "" ? null : { sketch: acts.guided(sketch, pin, angle) }),
   stone: ({ sketch }, { pin, meant }) => {
     if (pin === "") return meant.letter === undefined ? null : { wait: meant.letter };
-    return meant.bar === undefined ? null : { sketch: acts.stoned(sketch, pin, guideBar(sketch, meant.bar)), letter: pin };
+    return meant.bar === undefined ? null : { sketch: acts.stoned(sketch, pin, guideBar(sketch, meant.bar)) };
   },
   cylinder: ({ sketch }, { begun, meant, drawn }) => (drawn ? acts.cylinder(sketch, targetOf(begun), targetOf(meant)) : null),
   point: ({ sketch, chosen }, { meant }) => (chosen.number === undefined ? null : acts.pinned(sketch, chosen.number, targetOf(meant))),

@@ -1,0 +1,254 @@
+"""Schemes: a scene that nothing moved keeps its bytes; what hands click is the mechanism that was meant."""
+
+from __future__ import annotations
+
+import math
+import random
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from support.gallery import SHEETS
+
+import graphic_tmm
+from graphic_tmm.errors import TmmError
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.scene.read import judged
+from graphic_tmm.serve.scheme.act import Drawing, drawing_of, scheme
+
+EN = speaking("en")
+SCENES = sorted(f for f in SHEETS.glob("*/scene.toml") if "[[link]]" in f.read_text("utf-8"))
+NAMES = [file.parent.name for file in SCENES]
+DRAWN = 150.0
+"""mm that a drawing is wide; a hand clicks with an error of `HAND` mm (standard deviation)."""
+HAND = 0.5
+
+
+def shown(file: Path, **asked: Any) -> dict[str, Any]:
+    return scheme(file.read_bytes(), file, Drawing(**asked), EN)
+
+
+@pytest.mark.parametrize("file", SCENES, ids=NAMES)
+def test_what_nothing_has_moved_keeps_its_bytes(file: Path) -> None:
+    first = shown(file)
+    for at in (None, *np.linspace(first["sweep"]["low"], first["sweep"]["high"], 5)[1:4]):
+        try:
+            there = shown(file, at=at)
+        except TmmError:
+            continue
+        again = shown(file, sketch=there["sketch"])
+        assert again["text"] == file.read_text("utf-8")
+        assert again["errors"] == []
+
+
+def size_of(sketch: dict[str, Any]) -> float:
+    places = [complex(*one) for one in sketch["places"].values()]
+    return max(abs(z - w) for z in places for w in places)
+
+
+def clicked(sketch: dict[str, Any], by: random.Random) -> dict[str, Any]:
+    """A sketch as a hand clicks it; guides go with what slides on them."""
+    noise = HAND / DRAWN * size_of(sketch)
+
+    def off(place: list[float]) -> list[float]:
+        return [one + by.gauss(0, noise) for one in place]
+
+    places = {letter: off(one) for letter, one in sketch["places"].items()}
+    links = []
+    for link in sketch["links"]:
+        guides = {}
+        for name, one in link["guides"].items():
+            guides[name] = {**one, "through": off(one["through"])}
+        links.append({**link, "guides": guides})
+    return aligned({**sketch, "places": places, "links": links})
+
+
+def aligned(sketch: dict[str, Any]) -> dict[str, Any]:
+    """The guides of rods through both pins, as the editor keeps them."""
+    numbers = {link["number"]: link for link in sketch["links"]}
+    for link in sketch["links"]:
+        for slide in link["slides"]:
+            barrel = numbers[slide["on"]]
+            guide = barrel["guides"].get(slide["along"])
+            if guide is None or barrel is sketch["links"][0] or len(barrel["points"]) != 1:
+                continue
+            pivot, pin = (complex(*sketch["places"][k["points"][0]]) for k in (barrel, link))
+            way = pin - pivot
+            turned = math.degrees(math.atan2(way.imag, way.real))
+            if abs((turned - guide["angle"] + 90) % 180 - 90) < 10:
+                flipped = math.cos(math.radians(turned - guide["angle"])) < 0
+                guide["through"] = [pivot.real, pivot.imag]
+                guide["angle"] = turned + (180 if flipped else 0)
+    return sketch
+
+
+NOT_DRAWN = ("excavator", "parallel-cranks")
+"""Several drives, and links that only double others, are written in the file."""
+HANDS = 13
+ROW = 36
+
+
+def rows(data: str, file: Path, low: float, high: float) -> dict[str, Any]:
+    """Where the letters are over the way of the drive, m; NaN where it cannot be drawn."""
+    scene = judged(data.encode(), file)
+    at = np.linspace(low, high, ROW, endpoint=False)
+    found = graphic_tmm.motion(scene, at, plans="positions").places
+    return {letter: row for (letter, _), row in found.items()}
+
+
+def drawings() -> Iterator[tuple[str, float, float]]:
+    """Scenes as hands click them: how far places are off, of the size, over the way and as drawn."""
+    for file in SCENES:
+        if file.parent.name in NOT_DRAWN:
+            continue
+        by = random.Random(file.parent.name)
+        first = shown(file)
+        low, high = first["sweep"]["low"], first["sweep"]["high"]
+        meant = rows(file.read_text("utf-8"), file, low, high)
+        size = size_of(first["sketch"])
+        for _ in range(HANDS):
+            at = by.uniform(low, high)
+            try:
+                there = shown(file, at=at)["sketch"]
+            except TmmError:
+                continue
+            made = scheme(b"", file, Drawing(sketch=clicked(there, by)), EN)
+            assert made["text"] is not None, made["says"]
+            shift = complex(*made["shift"])
+            found = rows(made["text"], file, low, high)
+            off = max(float(np.nanmax(np.abs(found[k] - shift - meant[k]))) for k in meant) / size
+            here = (
+                max(
+                    abs(complex(*made["sketch"]["places"][k]) - shift - complex(*z))
+                    for k, z in there["places"].items()
+                )
+                / size
+            )
+            yield file.parent.name, off, here
+
+
+@pytest.mark.slow
+def test_what_a_hand_clicks_is_the_mechanism_that_was_meant() -> None:
+    """Of 24 mechanisms, 13 times each, 98 % stand within 3 % of the size; none has a wrong side.
+
+    Over the way of the drive 95 % are as near: without any rounding 97 % would be, hands themselves err so.
+    """
+    found = list(drawings())
+    assert len(found) == HANDS * (len(SCENES) - len(NOT_DRAWN))
+    assert sum(here < 0.03 for _, _, here in found) >= 0.98 * len(found)
+    assert sum(off < 0.03 for _, off, _ in found) >= 0.94 * len(found)
+    assert max(off for _, off, _ in found) < 0.15  # another assembly is off by its whole height
+
+
+def link(number: int, *points: str, **more: Any) -> dict[str, Any]:
+    return {"number": number, "points": list(points), "guides": {}, "slides": [], **more}
+
+
+PLACES = {"O": [0.1, 0.2], "A": [0.121, 0.23], "B": [0.252, 0.2]}
+UNFINISHED: list[tuple[list[dict[str, Any]], int | None, int | None, str]] = [
+    ([link(0)], None, None, "Draw a link"),
+    ([link(0), link(1, "O", "A")], None, 3, "W = 3: a support, a slider"),
+    ([link(0, "O"), link(1, "O", "A")], None, 1, "say which link is driven"),
+    (
+        [link(0, "O"), link(1, "O", "A"), link(2, "A", "B")],
+        1,
+        2,
+        "a pair is missing among O(1,0), A(1,2)",
+    ),
+    ([link(0, "O", "B"), link(1, "O", "A"), link(2, "A", "B")], 1, 0, "a pair is too many"),
+    ([link(0, "O", "B"), link(1, "O", "A"), link(2, "A", "B")], None, 0, "nothing can move"),
+    ([link(0, "O"), link(1, "O", "A"), link(2, "B")], 1, 4, "link 2 is tied to nothing"),
+]
+
+
+@pytest.mark.parametrize(("links", "drive", "mobility", "says"), UNFINISHED)
+def test_what_is_missing_is_said(
+    links: list[dict[str, Any]], drive: int | None, mobility: int | None, says: str
+) -> None:
+    sketch = {"places": PLACES, "links": links, "drive": drive}
+    made = scheme(b"", Path("scheme.toml"), Drawing(sketch=sketch), EN)
+    assert made["mobility"] == mobility
+    assert says in made["says"]
+    assert made["text"] is None
+    assert made["sketch"] == sketch
+
+
+def crank_and_slider() -> dict[str, Any]:
+    slider = link(3, "B", slides=[{"on": 0, "along": "x"}])
+    frame = {**link(0, "O"), "guides": {"x": {"through": [0.0, 0.2003], "angle": 0.0}}}
+    links = [frame, link(1, "O", "A"), link(2, "A", "B"), slider]
+    return {"places": PLACES, "links": links, "drive": 1}
+
+
+def test_a_new_scene_is_written_as_people_write_one() -> None:
+    made = scheme(b"", Path("scheme.toml"), Drawing(sketch=crank_and_slider()), EN)
+    assert (made["mobility"], made["formula"]) == (1, "I(1) → II(2-3)")
+    # the crank's pivot is the origin, lengths are whole millimetres, 0.3 mm off a line is on it
+    assert made["shift"] == [-0.1, -0.2]
+    assert 'O = [0, 0]\nx = { through = [0, 0], angle = "0 deg" }' in made["text"]
+    assert 'points = { O = [0, 0], A = ["37 mm", 0] }' in made["text"]
+    assert 'points = { A = [0, 0], B = ["134 mm", 0] }' in made["text"]
+    assert judged(made["text"].encode(), Path("scheme.toml")).mechanism is not None
+
+
+def test_the_first_length_is_the_scale_of_all() -> None:
+    file = Path("scheme.toml")
+    made = scheme(b"", file, Drawing(sketch=crank_and_slider()), EN)
+    key = next(one["key"] for one in made["fields"] if one["label"] == "OA")
+    asked = Drawing(sketch=made["sketch"], typed={key: "110.5 mm"}, scale=True)
+    larger = scheme(made["text"].encode(), file, asked, EN)
+    told = {one["label"]: one["text"] for one in larger["fields"]}
+    assert (told["OA"], told["AB"]) == ("110.5 mm", "400 mm")
+    # what was typed stays as it was typed when something else is drawn
+    again = scheme(larger["text"].encode(), file, Drawing(sketch=larger["sketch"]), EN)
+    assert again["text"] == larger["text"]
+
+
+def test_a_length_that_cannot_be_is_refused() -> None:
+    file = Path("scheme.toml")
+    made = scheme(b"", file, Drawing(sketch=crank_and_slider()), EN)
+    key = next(one["key"] for one in made["fields"] if one["label"] == "AB")
+    with pytest.raises(TmmError, match="cannot be assembled"):
+        scheme(made["text"].encode(), file, Drawing(typed={key: "20 mm"}, at=made["at"]), EN)
+
+
+def test_a_turn_is_told() -> None:
+    file = Path("scheme.toml")
+    made = scheme(b"", file, Drawing(sketch=crank_and_slider()), EN)
+    turn = scheme(made["text"].encode(), file, Drawing(turn=12), EN)["turn"]
+    assert turn["at"] == [30.0 * k for k in range(13)]
+    for at, (x, y) in zip(turn["at"], turn["places"]["A"], strict=True):
+        assert abs(complex(x, y) - 0.037 * np.exp(1j * math.radians(at))) < 1e-12
+
+
+HOSTILE: list[dict[str, Any]] = [
+    {"sketch": 1},
+    {"sketch": {"places": {}, "links": [], "drive": None}},
+    {"sketch": {**crank_and_slider(), "places": {"O": [0, float("nan")]}}},
+    {"sketch": {**crank_and_slider(), "links": [{"number": "1"}]}},
+    {"sketch": {**crank_and_slider(), "drive": True}},
+    {"typed": {"a": 1}},
+    {"numbers": {"a": "b"}},
+    {"at": "x"},
+    {"turn": []},
+]
+
+
+@pytest.mark.parametrize("told", HOSTILE)
+def test_what_is_no_act_is_none(told: dict[str, Any]) -> None:
+    assert drawing_of(told) is None
+
+
+def test_an_act_is_understood() -> None:
+    told = {
+        "sketch": crank_and_slider(),
+        "typed": {"k": "1"},
+        "numbers": {"2": 1},
+        "at": 3,
+        "turn": 9999,
+    }
+    asked = drawing_of(told)
+    assert asked is not None
+    assert (asked.at, asked.turn, asked.numbers) == (3, 720, {2: 1})
