@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 Path = tuple[str | int, ...]
 Names = Mapping[str, float]
+Renaming = Mapping[str | int, str | int]
 Schema = dict[str, Any]
 Said = SimpleNamespace
 """What a section says, by key; a default where it says nothing."""
@@ -57,7 +58,8 @@ class Kind:
 
     ``told``: what an editor is told of it. ``bound``: between which numbers it lies, in the unit of the record;
     a plan that refuses on its own asks here. ``unit``: that of a number without one, for people; ``each``: of
-    the numbers in a list, where a list is called otherwise.
+    the numbers in a list, where a list is called otherwise. ``renamed``: where letters, guides or links are
+    named: a value, and what some of these are called instead -> the value then.
     """
 
     read: Callable[[object, Names], Any]
@@ -65,6 +67,7 @@ class Kind:
     bound: Bound | None = None
     unit: str = ""
     each: str = ""
+    renamed: Callable[[Any, Renaming], Any] | None = None
 
     def understood(self, value: object, at: Path, names: Names, found: list[Flaw]) -> Any:
         """Return what a value means, or FAULTY."""

@@ -9,7 +9,8 @@ from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from typing import Any
 
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene import misfits
@@ -102,6 +103,25 @@ def split(pair: str) -> tuple[str, str] | None:
     """Two letters written together, ``"BC"`` or ``"S3C"``, apart; None if they are not two."""
     found = _LETTER.findall(pair)
     return (found[0], found[1]) if len(found) == 2 and "".join(found) == pair else None
+
+
+def renamed(value: Any, names: Mapping[str | int, str | int]) -> Any:
+    """Return a letter, two of them, a guide, the number of a link, or a list of such, by other names.
+
+    Whatever else stands there is returned as it is.
+    """
+    if isinstance(value, list):
+        return [renamed(one, names) for one in value]
+    if isinstance(value, bool) or not isinstance(value, (int, str)):
+        return value
+    pair = split(value) if isinstance(value, str) and value not in names else None
+    return "".join(str(names.get(one, one)) for one in pair) if pair else names.get(value, value)
+
+
+def last_renamed(value: Any, names: Mapping[str | int, str | int]) -> Any:
+    """Return a text of several words whose last is a letter, two of them or a guide, by other names."""
+    words = re.fullmatch(r"(.*\s)(\S+)(\s*)", value) if isinstance(value, str) else None
+    return value if words is None else f"{words[1]}{renamed(words[2], names)}{words[3]}"
 
 
 def unknown(says: str, word: str, known: Iterable[str], what: str) -> str:

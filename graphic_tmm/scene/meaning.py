@@ -38,7 +38,7 @@ def _of_section(section: Section) -> Sort:
 
 def inner(sort: Sort | None, value: object, key: str | int) -> Sort | None:
     """Return what may stand for a key of a value of some sort, or for an item of it; None if nobody says."""
-    sort = _shaped(sort, value)
+    sort = shaped(sort, value)
     if isinstance(sort, DeclaredTable):
         known = keys_of(sort.record).get(str(key))
         others: Sort | None = getattr(sort.record, "OTHERS", None)
@@ -48,16 +48,16 @@ def inner(sort: Sort | None, value: object, key: str | int) -> Sort | None:
     return v.LENGTH if is_point(sort, value) else None
 
 
-def _shaped(sort: Sort | None, value: object) -> Sort | None:
-    """Return what may stand there if such a value does."""
+def shaped(sort: Sort | None, value: object) -> Sort | None:
+    """Return what stands there if such a value does: one of the sorts between which its shape tells."""
     if isinstance(sort, ByShape):
-        return _shaped(sort.such if isinstance(value, sort.shape) else sort.other, value)
+        return shaped(sort.such if isinstance(value, sort.shape) else sort.other, value)
     return sort
 
 
 def is_point(sort: Sort | None, value: object) -> bool:
     """Whether a value is a list of two coordinates, each of which says something by itself."""
-    sort = _shaped(sort, value)
+    sort = shaped(sort, value)
     point = sort is v.POINT or not isinstance(
         sort, (Kind, DeclaredTable, Named, Several, type(None))
     )
@@ -66,7 +66,7 @@ def is_point(sort: Sort | None, value: object) -> bool:
 
 def left_out(sort: Sort | None, table: object, key: str | int) -> Any:
     """Return what a table means that does not say a key; MISSING if it has to."""
-    sort = _shaped(sort, table)
+    sort = shaped(sort, table)
     known = keys_of(sort.record).get(str(key)) if isinstance(sort, DeclaredTable) else None
     return MISSING if known is None else known.left_out()
 

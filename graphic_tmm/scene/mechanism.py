@@ -111,7 +111,7 @@ class Slide:
 
     on: int | str = key(v.TARGET, 'the number of the link it slides on, or "frame"', 3)
     along: str = key(
-        v.TEXT, "two letters of that link, from the first to the second, or a guide", "BC"
+        v.LETTER, "two letters of that link, from the first to the second, or a guide", "BC"
     )
     offset: float = key(
         v.LENGTH, "how far the slider's own x axis lies to the left of the guide", None, 0.0
@@ -189,7 +189,7 @@ class Link:
         None,
     )
     centre: str | None = key(
-        v.TEXT,
+        v.LETTER,
         "the letter of its mass centre; left out, its only point that is no turning pair",
         "S2",
         None,
@@ -220,7 +220,7 @@ class Task:
 class Extreme:
     """The position in which a point is as far as it comes."""
 
-    point: str = key(v.TEXT, "the letter of the point", "D")
+    point: str = key(v.LETTER, "the letter of the point", "D")
     at: str = key(v.AT, "where it is then", "left")
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import NamedTuple, TypeGuard
 
-from graphic_tmm.language.said import joined, said
+from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene import letters
 from graphic_tmm.scene.declare import Flaw, Path
 from graphic_tmm.scene.document import Document, as_table, raw_links, texts
@@ -127,18 +127,21 @@ def _is_number(value: object) -> bool:
 
 
 def _numbers(doc: Document, names: Outline) -> Iterator[Flaw]:
-    free = next((n for n in range(1, 1000) if n not in names.bodies), 0)
     for path, link in raw_links(doc):
         number = link.get("number")
         if not _is_whole(number) or names.bodies[number].path == path:
             continue
-        says = said(
-            "{number} is the number of {taken}; write {free} or another",
-            number=number,
-            taken=FRAME if number == names.frame else said("another link", context="of"),
-            free=free,
-        )
-        yield Flaw((*path, "number"), says)
+        yield Flaw((*path, "number"), number_taken(number, names))
+
+
+def number_taken(number: int, names: Outline) -> Said:
+    """Tell that a number is that of a link, and one that is free."""
+    return said(
+        "{number} is the number of {taken}; write {free} or another",
+        number=number,
+        taken=FRAME if number == names.frame else said("another link", context="of"),
+        free=next((n for n in range(1, 1000) if n not in names.bodies), 0),
+    )
 
 
 def _letters(doc: Document) -> Iterator[Flaw]:
@@ -230,7 +233,7 @@ def _along(path: Path, along: object, number: int, names: Outline) -> Iterator[F
         )
         yield Flaw(path, says)
     else:
-        yield from _known(path, pair, body.letters, of)
+        yield from unknown_letters(path, pair, body.letters, of)
 
 
 FRAME, MECHANISM = said("the frame", context="of"), said("the mechanism", context="of")
@@ -241,7 +244,10 @@ def of_link(number: int) -> str:
     return said("link {number}", context="of", number=number)
 
 
-def _known(path: Path, wanted: tuple[str, ...], known: tuple[str, ...], of: str) -> Iterator[Flaw]:
+def unknown_letters(
+    path: Path, wanted: tuple[str, ...], known: tuple[str, ...], of: str
+) -> Iterator[Flaw]:
+    """Tell of letters that are none of some body."""
     for letter in wanted:
         if letter not in known:
             says = said('"{letter}" is not a letter of {of}', letter=letter, of=of)
@@ -260,13 +266,13 @@ def _sides(path: Path, link: Document, names: Outline) -> Iterator[Flaw]:
         pair = link_side(link["side"])[1] if "side" in link else ()
     except ValueError:
         return
-    yield from _known((*path, "side"), pair, names.letters, MECHANISM)
+    yield from unknown_letters((*path, "side"), pair, names.letters, MECHANISM)
 
 
 def _centre(path: Path, link: Document) -> Iterator[Flaw]:
     if isinstance(link.get("centre"), str) and isinstance(link.get("points", {}), dict):
         known = tuple(link.get("points", {}))
-        yield from _known(
+        yield from unknown_letters(
             (*path, "centre"), (link["centre"],), known, said("this link", context="of")
         )
 
@@ -304,4 +310,4 @@ def _moving(path: Path, letter: str, names: Outline) -> Iterator[Flaw]:
         )
         yield Flaw(path, says)
     else:
-        yield from _known(path, (letter,), names.letters, MECHANISM)
+        yield from unknown_letters(path, (letter,), names.letters, MECHANISM)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from itertools import islice
 from typing import Any
 
 from graphic_tmm.scene.declare import Path
@@ -23,6 +24,7 @@ _COMMENTS_BELOW = re.compile(r"(?:[ \t]*#[^\n]*(?:\n|\Z))+(?=[ \t]*\r?\n|\Z)")
 _EMPTY = re.compile(r"(?:[ \t]*\r?\n)+")
 _ENDS_EMPTY = re.compile(r"\n[ \t]*\r?\n\Z")
 _ALIGNED = re.compile(r"^\w+ {2,}=", re.MULTILINE)
+_PART = re.compile(r"""[\w-]+|"(?:\\.|[^"\\\n])*"|'[^'\n]*'""", re.ASCII)
 _NUMBER = re.compile(r"[+-]?[0-9]+(?:\.[0-9]+)?(?:[eE][+-]?[0-9]+)?")
 
 
@@ -169,6 +171,51 @@ def _line_behind(text: str, at: int, line: str) -> str:
     before = "" if text[:end].endswith("\n") else newline
     behind = newline if text[:end].endswith("\n") else ""
     return f"{text[:end]}{before}{line}{behind}{text[end:]}"
+
+
+def with_key(text: str, path: Path, key: str) -> str:
+    """Return a text in which what stands at a path has another key, wherever that is written.
+
+    Raises
+    ------
+    Unplaced
+        If that cannot be followed.
+    """
+    there = layout(text)
+    wanted = tomllib.loads(text)
+    try:
+        *above, last = path
+        at: Any = wanted
+        for part in above:
+            at = at[part]
+        at[key] = at.pop(last)
+    except (KeyError, IndexError, TypeError, AttributeError):
+        raise Unplaced(path) from None
+    depth = sum(isinstance(part, str) for part in path)
+    spots = [
+        _key_part(text, text.rfind("\n", 0, end) + 1, depth)
+        for header, end in there.headers.items()
+        if header[: len(path)] == path
+    ]
+    for row, begin in there.keys.items():
+        table = _table_of(row, there)
+        if row[: len(path)] == path and len(table) < len(path):
+            spots.append(_key_part(text, begin, len(path) - len(table)))
+    for begin, end in sorted(spots, reverse=True):
+        text = text[:begin] + key_text(key) + text[end:]
+    return _checked(text, wanted, path)
+
+
+def _table_of(row: Path, there: Layout) -> Path:
+    """Return the table, in braces or with a header, in which a key stands."""
+    braces = [row[:k] for k in range(len(row)) if row[:k] in there.inline]
+    return braces[-1] if braces else next(k for k, rows in there.rows.items() if row in rows)
+
+
+def _key_part(text: str, begin: int, number: int) -> tuple[int, int]:
+    """Return where a part of a key stands, counted from 1, that begins there, in brackets or not."""
+    parts = _PART.finditer(text, begin)
+    return next(islice(parts, number - 1, None)).span()
 
 
 def without_table(text: str, path: Path) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from itertools import pairwise
 
 from graphic_tmm.board.bounds import POSITIVE, Bound
@@ -338,11 +339,16 @@ _WORDS: Schema = {"type": "array", "items": {"type": "string"}}
 SWITCH = Kind(_switch, {"type": "boolean"})
 TEXT = Kind(_text, {"type": "string", "maxLength": letters.LONGEST_TEXT})
 TITLE = Kind(_title, {"type": "string", "minLength": 1, "maxLength": 200})
-LINK_NUMBER = number(Bound(0, 999, whole=True))
+LETTER = replace(TEXT, renamed=letters.renamed)
+"""Of a point, of two, or of a guide."""
+LINK_NUMBER = replace(number(Bound(0, 999, whole=True)), renamed=letters.renamed)
 POINT = Kind(
     _point,
     {"type": "array", "items": _LENGTH, "minItems": 2, "maxItems": 2, "description": "x and y"},
     each="length",
+    renamed=lambda value, names: (
+        value if isinstance(value, list) else letters.renamed(value, names)
+    ),
 )
 PLAIN_LENGTH = quantity("length")
 POSITIVE_LENGTH = quantity("length", POSITIVE)
@@ -356,13 +362,15 @@ INERTIA = quantity("moment of inertia", Bound(0))
 POSITIVE_INERTIA = quantity("moment of inertia", POSITIVE)
 SPEED_RATIO = Bound(1, 100, above=True, below=True)
 RATIO = Kind(_ratio, bounded(SPEED_RATIO), SPEED_RATIO)
-TARGET = Kind(_target, {"anyOf": [{"type": "integer"}, {"type": "string", "const": "frame"}]})
+TARGET = Kind(_target, {"anyOf": [{"type": "integer"}, {"type": "string", "const": "frame"}]},
+              renamed=letters.renamed)  # fmt: skip
 SENSE = choice("+", "-", "right", "left", "above", "below", **{
     "−": "-", "справа": "right", "слева": "left", "выше": "above", "ниже": "below",
 })  # fmt: skip
 LINK_SIDE = Kind(
     lambda value, names: link_side(value),
     {"type": "string", "pattern": "^(left of|right of|слева от|справа от) \\S+$"},
+    renamed=letters.last_renamed,
 )
 TURNS = choice(COUNTERCLOCKWISE, CLOCKWISE, против_часовой_стрелки=COUNTERCLOCKWISE,
                по_часовой_стрелке=CLOCKWISE)  # fmt: skip
@@ -370,7 +378,7 @@ AT = choice("left", "right", "top", "bottom", слева="left", справа="r
             снизу="bottom")  # fmt: skip
 POSITIONS = Kind(_accelerations, {"anyOf": [ROW, {"type": "string", "const": "all"}]})
 POSITION = Kind(lambda value, names: _position(value), {"type": ["integer", "string"]})
-LETTERS = Kind(_letters, _WORDS)
+LETTERS = Kind(_letters, _WORDS, renamed=letters.renamed)
 _MU = Bound(1e-9, 1e9)
 _PAPER, _DIVISION = Bound(0.1, 2000), Bound(0.001, 10)
 """Of a drawn length, and of the division of a ruler, mm."""

@@ -48,7 +48,7 @@ class KinematicTask:
     factors that base and pole distances lead to are rounded to standard ones, and these lengths follow.
     """
 
-    point: str = key(v.TEXT, "the letter of the point", "D")
+    point: str = key(v.LETTER, "the letter of the point", "D")
     start: str = key(_START, "what is taken from the plans", "displacement", "displacement")
     over: str = key(_OVER, "what the base stands for", "time", "time")
     method: str = key(_METHOD, "how it is differentiated", "chords", "chords")

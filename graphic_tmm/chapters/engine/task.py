@@ -45,7 +45,7 @@ class EngineTask:
     """
 
     indicator: IndicatorTask
-    point: str = key(v.TEXT, "the letter where the connecting rod meets the crosshead", "B")
+    point: str = key(v.LETTER, "the letter where the connecting rod meets the crosshead", "B")
     share: float | None = key(
         v.WITHIN,
         "share of the rod's mass that goes to and fro; left out: by the lever rule",

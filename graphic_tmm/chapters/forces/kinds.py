@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from graphic_tmm.board.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import said
-from graphic_tmm.scene import quantities
+from graphic_tmm.scene import letters, quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Names
 from graphic_tmm.scene.misfits import fault_in_list, stands
@@ -174,14 +174,25 @@ def _ends(value: object, names: Names) -> tuple[str, str]:
 
 STIFFNESS = Kind(_positive(_stiffness), v.SCALE, POSITIVE, "stiffness")
 DAMPING = v.quantity("damping", POSITIVE)
-ENDS = Kind(_ends, {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2})
+ENDS = Kind(
+    _ends,
+    {"type": "array", "items": {"type": "string"}, "minItems": 2, "maxItems": 2},
+    renamed=letters.renamed,
+)
 FORCE = Kind(lambda value, names: quantities.parse(value, "force"), v.SCALE, unit="force")
 MOMENT = Kind(
     lambda value, names: quantities.parse(value, "moment"),
     {"type": ["number", "string"]},
     unit="moment",
 )
-DIRECTION = Kind(_direction, {"type": ["number", "string"]}, unit="angle")
+DIRECTION = Kind(
+    _direction,
+    {"type": ["number", "string"]},
+    unit="angle",
+    renamed=lambda value, names: (
+        letters.last_renamed(value, names) if isinstance(_direction(value, {}), Along) else value
+    ),
+)
 SIZES = Kind(_sizes, v.ROW, unit="force")
 BY_ANGLE = Kind(lambda value, names: _pairs(value, names, "angle"), v.PAIRS)
 BY_TIME = Kind(lambda value, names: _pairs(value, names, "time"), v.PAIRS)
@@ -193,6 +204,7 @@ OF = Kind(
         v.LINK_NUMBER.read(value, names) if isinstance(value, int) else v.TEXT.read(value, names)
     ),
     {"type": ["integer", "string"]},
+    renamed=letters.renamed,
 )
 LINE = v.quantity("angle")
 START = v.choice(
@@ -200,7 +212,7 @@ START = v.choice(
     слева="left", справа="right", сверху="top", снизу="bottom",
     по_часовой_стрелке=v.CLOCKWISE, против_часовой_стрелки=v.COUNTERCLOCKWISE,
 )  # fmt: skip
-LINKS = Kind(_links, {"type": "array", "items": {"type": "integer"}})
+LINKS = Kind(_links, {"type": "array", "items": {"type": "integer"}}, renamed=letters.renamed)
 BALANCE = v.choice("force", "moment", сила="force", момент="moment")
 COUPLES = v.choice("moment", "pair", момент="moment", пара="pair")
 PASSES = v.number(Bound(2, 50, whole=True))

@@ -106,7 +106,7 @@ class Load:
     """
 
     link: int = key(v.LINK_NUMBER, "the number of the link", 5)
-    point: str | None = key(v.TEXT, "the letter of the point where a force acts", "D", None)
+    point: str | None = key(v.LETTER, "the letter of the point where a force acts", "D", None)
     size: float | tuple[float, ...] = combined_key(
         _size,
         0.0,
@@ -196,7 +196,7 @@ class Load:
         written="from",
     )
     opposite_at: str | None = key(
-        v.TEXT,
+        v.LETTER,
         "the letter of the point of that link where the opposite force acts; left out, on the same line",
         "C",
         None,
@@ -265,7 +265,7 @@ class Unknown:
     """
 
     link: int = key(v.LINK_NUMBER, "the number of the link on which it acts", 3)
-    point: str = key(v.TEXT, "the letter of its point", "B")
+    point: str = key(v.LETTER, "the letter of its point", "B")
     direction: float | str | w.Along = key(
         w.DIRECTION, "its direction, as that of a load; it is positive that way", "along BC"
     )

@@ -198,7 +198,7 @@ class IndicatorTask:
     (Pa/mm) says. ``same_as``: the piston whose pressures these are. ``further``: the other cylinders.
     """
 
-    point: str = key(v.TEXT, "the letter of the piston's point", "B")
+    point: str = key(v.LETTER, "the letter of the piston's point", "B")
     cover: Gas = combined_key(
         _gas("cover"),
         bore=key(
@@ -238,7 +238,7 @@ class IndicatorTask:
         lambda said: said.same_as or "",
         "",
         same_as=key(
-            v.TEXT,
+            v.LETTER,
             "of several cylinders: the point of the piston whose pressures it has",
             "B",
             None,
