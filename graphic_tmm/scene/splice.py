@@ -264,7 +264,7 @@ def with_table(text: str, section: str, table: dict[str, Any], *, several: bool)
     begin = min((begin for begin, _ in blocks.values()), default=len(text))
     at = max(ends, default=begin)
     name = key_text(section)
-    wide = max(map(len, table)) if _ALIGNED.search(text) or len(blocks) < 2 else 0
+    wide = max(map(len, table)) if _has_columns(section) and _in_columns(text, there) else 0
     lines = [f"[[{name}]]" if several else f"[{name}]"]
     lines += [f"{key_text(key):<{wide}} = {toml(value)}" for key, value in table.items()]
     block = "".join(line + newline for line in lines)
@@ -274,6 +274,21 @@ def with_table(text: str, section: str, table: dict[str, Any], *, several: bool)
         gap = "" if not at else newline if text[:at].endswith("\n") else 2 * newline
         made = f"{text[:at]}{gap}{block}{text[at:]}"
     return _checked(made, wanted, (section,))
+
+
+def _has_columns(section: str) -> bool:
+    """Whether the keys of a section are declared; one whose keys are names has no columns."""
+    known = declared().get(section)
+    return known is not None and getattr(known.record, "OTHERS", None) is None
+
+
+def _in_columns(text: str, there: Layout) -> bool:
+    """Whether values stand below each other in a text, or nowhere beside shorter and longer keys."""
+    rows = [rows for header, rows in there.rows.items() if header and _has_columns(str(header[0]))]
+    columns = [
+        {text.index("=", there.keys[one]) - there.keys[one] for one in some} for some in rows
+    ]
+    return bool(_ALIGNED.search(text)) or all(len(some) < 2 for some in columns)
 
 
 def _block(text: str, there: Layout, header: Path) -> tuple[int, int]:

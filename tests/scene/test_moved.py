@@ -181,13 +181,41 @@ def test_a_new_link_stands_behind_the_last_laid_out_as_scenes_are() -> None:
     assert back == ROCKER
 
 
-def test_links_come_behind_the_frame_where_there_are_none_and_sections_in_their_order() -> None:
-    text = "title = 'x'\n\n[drive]\nlink = 1\n"
-    new = rewritten(text, {"frame": {"O": [0, 0]}, "link": [{"number": 1, "mass": 0.1}]})
-    assert (
-        new
-        == "title = 'x'\n\n[frame]\nO = [0, 0]\n\n[[link]]\nnumber = 1\nmass = 0.1\n\n[drive]\nlink = 1\n"
-    )
+HEAD = 'title = "x"\nlanguage = "en"\n'
+BEGUN = """
+[frame]
+number = 6
+O = [0, 0]
+
+[[link]]
+number = 1
+points = { O = [0, 0], A = ["70 mm", 0] }
+
+[[link]]
+number = 2
+points = { A = [0, 0], B = ["0.2 m", 0] }
+mass   = 0.1
+J      = 1e-06
+side   = "left of AO"
+
+[drive]
+link  = 1
+speed = "90 rpm"
+"""
+
+
+def test_a_new_scene_is_laid_out_as_scenes_are() -> None:
+    assert rewritten(HEAD, tomllib.loads(BEGUN)) == HEAD + BEGUN
+    assert rewritten(HEAD.rstrip(), tomllib.loads(BEGUN)) == HEAD + BEGUN
+
+
+def test_links_come_behind_the_frame_and_sections_before_the_next() -> None:
+    at = BEGUN.index("[drive]")
+    frame, rest = BEGUN[:at], BEGUN[at:]
+    told = tomllib.loads(frame)
+    assert rewritten(HEAD + "\n" + rest, told) == HEAD + frame + rest
+    ragged = rest.replace("link  =", "link =")
+    assert "\nmass = 0.1\n" in rewritten(HEAD + "\n" + ragged, told)
 
 
 @pytest.mark.parametrize("newline", ["\n", "\r\n"])
