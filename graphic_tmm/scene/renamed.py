@@ -81,6 +81,19 @@ def renumbered(text: str, old: int, new: int) -> str:
     return _renamed(text, {old: new})
 
 
+def exchanged(text: str, one: int, other: int) -> str:
+    """Return a scene's text in which two links have each other's numbers; of one that is free as `renumbered`.
+
+    Raises
+    ------
+    SceneError, Unplaced
+        As `renumbered`.
+    """
+    bodies = outline(tomllib.loads(text.removeprefix(MARK))).bodies
+    both = one in bodies and other in bodies
+    return _renamed(text, {one: other, other: one}) if both else renumbered(text, one, other)
+
+
 def _refuse(*messages: str) -> NoReturn:
     raise SceneError("", tuple(Fault("", 0, message) for message in messages))
 

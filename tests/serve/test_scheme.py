@@ -252,3 +252,25 @@ def test_an_act_is_understood() -> None:
     asked = drawing_of(told)
     assert asked is not None
     assert (asked.at, asked.turn, asked.numbers) == (3, 720, {2: 1})
+
+
+def test_letters_and_numbers_are_others_in_the_whole_scene() -> None:
+    file = SHEETS / "crank-rocker" / "scene.toml"
+    first = shown(file)["sketch"]
+    asked = {"letters": {"E": "K"}, "numbers": {2: 3}}
+    other = {2: 3, 3: 2}
+    links = [
+        {
+            **link,
+            "number": other.get(link["number"], link["number"]),
+            "points": ["K" if one == "E" else one for one in link["points"]],
+        }
+        for link in first["links"]
+    ]
+    places = {("K" if letter == "E" else letter): one for letter, one in first["places"].items()}
+    made = shown(file, sketch={**first, "places": places, "links": links}, **asked)
+    assert 'trajectories  = ["K"]' in made["text"]
+    assert made["errors"] == []
+    meant = {one.number: one for one in judged(made["text"].encode(), file).mechanism.links}  # type: ignore[union-attr]
+    assert (meant[3].name, meant[2].name) == ("coupler", "rocker")
+    assert len(made["text"]) == len(file.read_text("utf-8"))

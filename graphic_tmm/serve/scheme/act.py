@@ -33,6 +33,7 @@ from graphic_tmm.scene.mechanism import Joints
 from graphic_tmm.scene.moved import rewritten
 from graphic_tmm.scene.quantities import in_si
 from graphic_tmm.scene.read import understood
+from graphic_tmm.scene.renamed import exchanged, relettered
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.serve.edit import Missing, edited, new_faults
 from graphic_tmm.serve.form import form
@@ -112,7 +113,7 @@ def scheme(
     SceneError
         If what was drawn or typed cannot stand so.
     """
-    text, doc = parsed(data, file) if data else ("", _begun(speech))
+    text, doc = parsed(_renamed(data, asked, file), file) if data else ("", _begun(speech))
     shift = 0j
     if asked.sketch is not None:
         sketch = _scaled(asked, text, file) if asked.scale else asked.sketch
@@ -131,6 +132,16 @@ def scheme(
     errors = new_faults(data, text.encode(), file, missing) if data else ()
     told = [speech(one.message) for one in errors]
     return found | {"errors": told, "shift": [shift.real, shift.imag]}
+
+
+def _renamed(data: bytes, asked: Drawing, file: File) -> bytes:
+    """Return what a scene's file holds with letters and numbers that are others now."""
+    text, _ = parsed(data, file)
+    for was, letter in asked.letters.items():
+        text = relettered(text, was, letter)
+    for number, now in asked.numbers.items():
+        text = exchanged(text, number, now)
+    return text.encode()
 
 
 def drawing_of(told: Mapping[str, Any]) -> Drawing | None:

@@ -96,11 +96,6 @@ export class Editor {
     if (chosen.number !== undefined) this.tell(this.say("scheme chosen link", { number: chosen.number }));
   }
 
-  /** @param {string} key of the words that say why nothing was done */
-  refuse(key) {
-    this.tell(this.say(key));
-  }
-
   /**
    * Do something: show it, and have it judged.
    * @param {Sketch | null} sketch
@@ -108,8 +103,8 @@ export class Editor {
    * @param {Partial<SchemeAct>} [more]
    */
   act(sketch, chosen = this.chosen, more = {}) {
-    if (sketch === null) return this.refuse("scheme nothing");
-    if (this.fixed) return this.refuse("fixed");
+    if (sketch === null) return this.tell(this.say("scheme nothing"));
+    if (this.fixed) return this.tell(this.say("fixed"));
     const before = this.history.keep(this.moment);
     this.sketch = sketch;
     this.chosen = chosen;
@@ -246,7 +241,7 @@ export class Editor {
    * @param {boolean} long whether it is a length of the mechanism
    */
   type(key, value, long) {
-    if (this.fixed) return this.refuse("fixed");
+    if (this.fixed) return this.tell(this.say("fixed"));
     const before = this.history.keep(this.moment);
     const scale = long && !this.measured;
     if (long) this.measured = true;

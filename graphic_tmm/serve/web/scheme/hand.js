@@ -168,7 +168,7 @@ export class Hand {
   link(start, end) {
     const { editor } = this;
     const made = acts.linked(editor.sketch, targetOf(start), targetOf(end));
-    if (made === null) editor.refuse("scheme same link");
+    if (made === null) editor.tell(editor.say("scheme same link"));
     else editor.act(made.sketch, { letter: made.letter });
   }
 
@@ -182,7 +182,7 @@ export class Hand {
     this.tool = "";
     this.pin = "";
     const done = tool === "" ? null : TOOL_ACTS[tool](editor, use);
-    if (done === null) editor.refuse(`scheme do ${tool}`);
+    if (done === null) editor.tell(editor.say(`scheme do ${tool}`));
     else if ("wait" in done) [this.tool, this.pin] = [tool, done.wait];
     else editor.act(done.sketch, done.letter === undefined ? {} : { letter: done.letter }, { numbers: done.numbers ?? {} });
     if (done !== null && "wait" in done) editor.tell(editor.say("scheme stone bar"));
