@@ -21,7 +21,7 @@ from graphic_tmm.serve.desk import URGENT, Desk, Scene, said_of
 from graphic_tmm.serve.jobs import File, Refused, Task, refusing, scene_of
 from graphic_tmm.serve.kept import SceneFault, hashed
 from graphic_tmm.serve.limits import DOWNLOAD, JUDGING
-from graphic_tmm.serve.scheme.act import Drawing
+from graphic_tmm.serve.scheme.act import SchemeAct
 from graphic_tmm.serve.worker import Broken, Gone, TooLong, Worker
 from graphic_tmm.studio import make, sheet_files
 
@@ -189,7 +189,7 @@ class Answers:
         self.desk.look(scene.kept.name)
         return Written(hashed(new), True)
 
-    async def scheme(self, scene: Scene | None, asked: Drawing, sent: Sent) -> Scheme | Refused:
+    async def scheme(self, scene: Scene | None, asked: SchemeAct, sent: Sent) -> Scheme | Refused:
         """Return the scheme of a scene after an act, written into its file where it has one and is whole."""
         if scene is None:
             task = Task(

@@ -30,7 +30,7 @@ from graphic_tmm.serve.edit import edited
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.form import form_json as fields_told
 from graphic_tmm.serve.kept import SceneFault
-from graphic_tmm.serve.scheme.act import Drawing, scheme
+from graphic_tmm.serve.scheme.act import SchemeAct, scheme
 from graphic_tmm.serve.shell import title_of
 from graphic_tmm.studio import composed_sheets, make
 
@@ -179,7 +179,7 @@ def formed(task: Task) -> list[dict[str, Any]]:
 
 
 @refusing
-def schemed(task: Task, asked: Drawing) -> dict[str, Any]:
+def schemed(task: Task, asked: SchemeAct) -> dict[str, Any]:
     """Return a scheme after an act, as JSON takes it."""
     return scheme(task.data, Path(task.file), asked, speaking(_language(task)), missing)
 

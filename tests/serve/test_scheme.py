@@ -16,7 +16,7 @@ import graphic_tmm
 from graphic_tmm.errors import TmmError
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.scene.read import judged
-from graphic_tmm.serve.scheme.act import Drawing, drawing_of, scheme
+from graphic_tmm.serve.scheme.act import SchemeAct, drawing_of, scheme
 
 EN = speaking("en")
 SCENES = sorted(f for f in SHEETS.glob("*/scene.toml") if "[[link]]" in f.read_text("utf-8"))
@@ -27,7 +27,7 @@ HAND = 0.5
 
 
 def shown(file: Path, **asked: Any) -> dict[str, Any]:
-    return scheme(file.read_bytes(), file, Drawing(**asked), EN)
+    return scheme(file.read_bytes(), file, SchemeAct(**asked), EN)
 
 
 @pytest.mark.parametrize("file", SCENES, ids=NAMES)
@@ -114,7 +114,7 @@ def drawings() -> Iterator[tuple[str, float, float]]:
                 there = shown(file, at=at)["sketch"]
             except TmmError:
                 continue
-            made = scheme(b"", file, Drawing(sketch=clicked(there, by)), EN)
+            made = scheme(b"", file, SchemeAct(sketch=clicked(there, by)), EN)
             assert made["text"] is not None, made["says"]
             shift = complex(*made["shift"])
             found = rows(made["text"], file, low, high)
@@ -168,7 +168,7 @@ def test_what_is_missing_is_said(
     links: list[dict[str, Any]], drive: int | None, mobility: int | None, says: str
 ) -> None:
     sketch = {"places": PLACES, "links": links, "drive": drive}
-    made = scheme(b"", Path("scheme.toml"), Drawing(sketch=sketch), EN)
+    made = scheme(b"", Path("scheme.toml"), SchemeAct(sketch=sketch), EN)
     assert made["mobility"] == mobility
     assert says in made["says"]
     assert made["text"] is None
@@ -183,7 +183,7 @@ def crank_and_slider() -> dict[str, Any]:
 
 
 def test_a_new_scene_is_written_as_people_write_one() -> None:
-    made = scheme(b"", Path("scheme.toml"), Drawing(sketch=crank_and_slider()), EN)
+    made = scheme(b"", Path("scheme.toml"), SchemeAct(sketch=crank_and_slider()), EN)
     assert (made["mobility"], made["formula"]) == (1, "I(1) → II(2-3)")
     # the crank's pivot is the origin, lengths are whole millimetres, 0.3 mm off a line is on it
     assert made["shift"] == [-0.1, -0.2]
@@ -195,29 +195,29 @@ def test_a_new_scene_is_written_as_people_write_one() -> None:
 
 def test_the_first_length_is_the_scale_of_all() -> None:
     file = Path("scheme.toml")
-    made = scheme(b"", file, Drawing(sketch=crank_and_slider()), EN)
+    made = scheme(b"", file, SchemeAct(sketch=crank_and_slider()), EN)
     key = next(one["key"] for one in made["fields"] if one["label"] == "OA")
-    asked = Drawing(sketch=made["sketch"], typed={key: "110.5 mm"}, scale=True)
+    asked = SchemeAct(sketch=made["sketch"], typed={key: "110.5 mm"}, scale=True)
     larger = scheme(made["text"].encode(), file, asked, EN)
     told = {one["label"]: one["text"] for one in larger["fields"]}
     assert (told["OA"], told["AB"]) == ("110.5 mm", "400 mm")
     # what was typed stays as it was typed when something else is drawn
-    again = scheme(larger["text"].encode(), file, Drawing(sketch=larger["sketch"]), EN)
+    again = scheme(larger["text"].encode(), file, SchemeAct(sketch=larger["sketch"]), EN)
     assert again["text"] == larger["text"]
 
 
 def test_a_length_that_cannot_be_is_refused() -> None:
     file = Path("scheme.toml")
-    made = scheme(b"", file, Drawing(sketch=crank_and_slider()), EN)
+    made = scheme(b"", file, SchemeAct(sketch=crank_and_slider()), EN)
     key = next(one["key"] for one in made["fields"] if one["label"] == "AB")
     with pytest.raises(TmmError, match="cannot be assembled"):
-        scheme(made["text"].encode(), file, Drawing(typed={key: "20 mm"}, at=made["at"]), EN)
+        scheme(made["text"].encode(), file, SchemeAct(typed={key: "20 mm"}, at=made["at"]), EN)
 
 
 def test_a_turn_is_told() -> None:
     file = Path("scheme.toml")
-    made = scheme(b"", file, Drawing(sketch=crank_and_slider()), EN)
-    turn = scheme(made["text"].encode(), file, Drawing(turn=12), EN)["turn"]
+    made = scheme(b"", file, SchemeAct(sketch=crank_and_slider()), EN)
+    turn = scheme(made["text"].encode(), file, SchemeAct(turn=12), EN)["turn"]
     assert turn["at"] == [30.0 * k for k in range(13)]
     for at, (x, y) in zip(turn["at"], turn["places"]["A"], strict=True):
         assert abs(complex(x, y) - 0.037 * np.exp(1j * math.radians(at))) < 1e-12

@@ -67,7 +67,7 @@ BARE = ("task", "lengths", "frame", "joints", "link", "drive")
 """The sections that say where everything lies."""
 
 
-class Drawing(NamedTuple):
+class SchemeAct(NamedTuple):
     """What a browser asks: all in one act.
 
     ``sketch``: what was drawn, None where nothing was. ``letters``, ``numbers``: letters and links that are
@@ -102,7 +102,7 @@ class Standing(NamedTuple):
 
 
 def scheme(
-    data: bytes, file: File, asked: Drawing, speech: Speech, missing: Missing = lambda text: ""
+    data: bytes, file: File, asked: SchemeAct, speech: Speech, missing: Missing = lambda text: ""
 ) -> dict[str, Any]:
     """Return a scheme after an act, as JSON takes it: the sketch, what it is, the scene of it.
 
@@ -128,13 +128,13 @@ def scheme(
         asked = asked._replace(at=stands.at)
     if asked.typed:
         text = edited(text.encode(), asked.typed, file).decode()
-    found = _shown(text, asked, file, speech)
+    found = _drawn(text, asked, file, speech)
     errors = new_faults(data, text.encode(), file, missing) if data else ()
     told = [speech(one.message) for one in errors]
     return found | {"errors": told, "shift": [shift.real, shift.imag]}
 
 
-def _renamed(data: bytes, asked: Drawing, file: File) -> bytes:
+def _renamed(data: bytes, asked: SchemeAct, file: File) -> bytes:
     """Return what a scene's file holds with letters and numbers that are others now."""
     text, _ = parsed(data, file)
     for was, letter in asked.letters.items():
@@ -144,7 +144,7 @@ def _renamed(data: bytes, asked: Drawing, file: File) -> bytes:
     return text.encode()
 
 
-def drawing_of(told: Mapping[str, Any]) -> Drawing | None:
+def drawing_of(told: Mapping[str, Any]) -> SchemeAct | None:
     """Return what a browser asks by JSON; None if that cannot be told."""
     sketch, typed, at, turn = (told.get(key) for key in ("sketch", "typed", "at", "turn"))
     names = [told.get("letters") or {}, typed or {}]
@@ -161,7 +161,7 @@ def drawing_of(told: Mapping[str, Any]) -> Drawing | None:
         count = min(int(turn) if turn is not None else 0, MOST_PLACES)
     except (AttributeError, TypeError, ValueError):
         return None
-    return Drawing(sketch, names[0], links, names[1], told.get("scale") is True, at, max(count, 0))
+    return SchemeAct(sketch, names[0], links, names[1], told.get("scale") is True, at, max(count, 0))
 
 
 def _begun(speech: Speech) -> Document:
@@ -215,7 +215,7 @@ def _size(mechanism: Mechanism) -> float:
     return max(abs(z - places[0]) for z in places)
 
 
-def _scaled(asked: Drawing, text: str, file: File) -> Sketch:
+def _scaled(asked: SchemeAct, text: str, file: File) -> Sketch:
     """Return a sketch so large that the value typed is what it has: the first length is the scale of all."""
     assert asked.sketch is not None
     ((key, typed),) = asked.typed.items()
@@ -328,7 +328,7 @@ def _bare(doc: Document) -> Scene:
     return understood(kept, "scheme")
 
 
-def _shown(text: str, asked: Drawing, file: File, speech: Speech) -> dict[str, Any]:
+def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str, Any]:
     """Return a scene as it is drawn."""
     data = text.encode()
     _, doc = parsed(data, file)

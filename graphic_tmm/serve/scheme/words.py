@@ -48,7 +48,7 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme chosen link": said("Link {number} is chosen: type its number, or its lengths beside."),
     "scheme letter taken": said("There is a pin {letter} already."),
     "scheme begin": said("Draw a link: drag from one of its pins to the other."),
-    "scheme frame": said("the frame"),
+    "scheme frame": said("frame"),
     "scheme pin of": said("Pin {letter} of: {links}"),
     "scheme link of": said("Link {number}: {letters}"),
     "scheme letter": said("Letter", context="of a pin"),
@@ -72,7 +72,8 @@ SCHEME_WORDS: dict[str, str] = {
     ),
     "scheme keys": said(
         "Keys: arrows move the cross, Enter begins and ends, a letter names the chosen pin, a figure numbers "
-        "the chosen link, Ctrl+Z takes back, Ctrl+arrows move the chosen pin, Delete, Space turns, Escape leaves."
+        "the chosen link, Ctrl+Z takes back, Ctrl+arrows move the chosen pin, Delete, Space turns, Escape "
+        "leaves."
     ),
-    "mm": said("mm"),
+    "mm": said("mm", context="unit"),
 }

@@ -1,5 +1,5 @@
 import { drawnElement } from "../../../page/web/dom.js";
-import { alongOf, apart, bodiesAt, bodyOf, frameOf, lineOf, minus, movingOf, placeOf, stonesAt, unit } from "./sketch.js";
+import { alongOf, apart, bodiesAt, bodyOf, cornersOf, frameOf, lineOf, minus, movingOf, placeOf, stonesAt, unit } from "./sketch.js";
 
 /**
  * A mechanism as it is drawn: pins, bars, plates, supports, stones and guides, in dots of the screen.
@@ -49,7 +49,7 @@ export function drawnSketch(sketch, view, chosen) {
  * @param {string} lit
  */
 function bar(sketch, body, view, lit) {
-  const dots = body.points.filter((one) => one !== body.centre).map((one) => view.dots(placeOf(sketch, one)));
+  const dots = cornersOf(sketch, body).map((one) => view.dots(placeOf(sketch, one)));
   const made = [];
   if (dots.length > 1) {
     const d = `M${dots.map((one) => one.map(round).join(" ")).join("L")}${dots.length > 2 ? "Z" : ""}`;
@@ -70,7 +70,7 @@ function bar(sketch, body, view, lit) {
  * @returns {Dots | null}
  */
 function numberAt(sketch, body, view) {
-  const dots = body.points.filter((one) => one !== body.centre).map((one) => view.dots(placeOf(sketch, one)));
+  const dots = cornersOf(sketch, body).map((one) => view.dots(placeOf(sketch, one)));
   const [first] = dots;
   if (first === undefined) return null;
   if (dots.length === 1) return [first[0] + 22, first[1] + 20];
@@ -163,8 +163,8 @@ function support([x, y]) {
 function pin(sketch, letter, view, lit) {
   const [x, y] = view.dots(placeOf(sketch, letter));
   const bodies = bodiesAt(sketch, letter);
-  const centre = bodies.some((one) => one.centre === letter);
   const joins = bodies.length > 1;
+  const centre = !joins && bodies.some((one) => one.centre === letter);
   const made = centre
     ? drawnElement("path", { class: `centre${lit}`, d: `M${round(x - CENTRE)} ${round(y)}h${2 * CENTRE}M${round(x)} ${round(y - CENTRE)}v${2 * CENTRE}` })
     : drawnElement("circle", { class: `pin${lit}${joins ? " joined" : ""}`, cx: round(x), cy: round(y), r: joins ? PIN : PIN - 1.5 });

@@ -68,6 +68,15 @@ export function stonesAt(sketch, letter) {
 }
 
 /**
+ * Return the letters between which a link is drawn: a mass centre is drawn by itself where nothing is joined to it.
+ * @param {Sketch} sketch
+ * @param {Body} body
+ */
+export function cornersOf(sketch, body) {
+  return body.points.filter((one) => one !== body.centre || bodiesAt(sketch, one).length > 1);
+}
+
+/**
  * Return a letter that no pin has; the first support is O.
  * @param {Sketch} sketch
  */
@@ -97,11 +106,13 @@ export function freeNumber(sketch) {
 
 /**
  * Return the bars of a link: from letter to letter along a row, round a plate.
+ * @param {Sketch} sketch
  * @param {Body} body
  * @returns {Bar[]}
  */
-export function barsOf(body) {
-  const { number, points } = body;
+export function barsOf(sketch, body) {
+  const { number } = body;
+  const points = cornersOf(sketch, body);
   const pairs = points.slice(1).map((letter, k) => /** @type {[string, string]} */ ([points[k], letter]));
   const first = points[0];
   const last = points.at(-1);

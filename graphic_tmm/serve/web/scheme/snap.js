@@ -68,7 +68,7 @@ export function pinAt(sketch, view, spot, reach, except) {
 export function barAt(sketch, view, spot, reach) {
   let best = null;
   let near = reach;
-  for (const bar of movingOf(sketch).flatMap(barsOf)) {
+  for (const bar of movingOf(sketch).flatMap((one) => barsOf(sketch, one))) {
     const [a, b] = /** @type {[Dots, Dots]} */ (bar.ends.map((one) => view.dots(placeOf(sketch, one))));
     const long = apart(a, b);
     const foot = footOf({ through: a, way: unit(minus(b, a)) }, spot);

@@ -36,10 +36,10 @@ export class ToolBar {
         editor.paper.svg.focus({ preventScroll: true });
       });
     }
-    this.put("undo", "M9 7L4 12L9 17M4 12H15A5 5 0 0 1 15 22", editor.say("scheme undo"), () => editor.back());
-    this.put("redo", "M15 7L20 12L15 17M20 12H9A5 5 0 0 0 9 22", editor.say("scheme redo"), () => editor.forth());
-    this.put("delete", "M5 7H19M9 7V4H15V7M7 7L8 21H16L17 7", editor.say("scheme delete"), () => editor.remove());
-    this.put("whole", "M4 9V4H9M15 4H20V9M20 15V20H15M9 20H4V15", editor.say("whole"), () => editor.paper.fit());
+    this.put("undo", "M9 7L4 12L9 17M4 12H15A5 5 0 0 1 15 22", editor.say("scheme undo"), () => editor.back(), true);
+    this.put("redo", "M15 7L20 12L15 17M20 12H9A5 5 0 0 0 9 22", editor.say("scheme redo"), () => editor.forth(), true);
+    this.put("delete", "M5 7H19M9 7V4H15V7M7 7L8 21H16L17 7", editor.say("scheme delete"), () => editor.remove(), true);
+    this.put("whole", "M4 9V4H9M15 4H20V9M20 15V20H15M9 20H4V15", editor.say("whole"), () => editor.paper.fit(), true);
     this.element.append(editor.picture.button);
   }
 
@@ -48,16 +48,17 @@ export class ToolBar {
    * @param {string} icon
    * @param {string} title
    * @param {() => void} act
+   * @param {boolean} [known] by its picture: no word stands beside it
    */
-  put(name, icon, title, act) {
-    const made = element("button", { type: "button", class: "tool", title, "data-tool": name });
+  put(name, icon, title, act, known = false) {
+    const made = element("button", { type: "button", class: "tool", title, "aria-label": title, "data-tool": name });
     const picture = document.createElementNS("http://www.w3.org/2000/svg", "svg");
     const path = document.createElementNS("http://www.w3.org/2000/svg", "path");
     picture.setAttribute("viewBox", "0 0 24 24");
     picture.setAttribute("aria-hidden", "true");
     path.setAttribute("d", icon);
     picture.append(path);
-    made.append(picture, element("span", {}, title));
+    made.append(picture, ...(known ? [] : [element("span", {}, title)]));
     made.addEventListener("click", act);
     this.buttons.set(name, made);
     this.element.append(made);

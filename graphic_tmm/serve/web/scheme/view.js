@@ -5,8 +5,9 @@
  * @typedef {[number, number]} Dots from the upper left corner of the paper's window, downward
  */
 
-/** So many dots about a mechanism that is shown whole. */
+/** So many dots about a mechanism that is shown whole, and of a small window at most this share. */
 const MARGIN = 90;
+const SHARE = 0.22;
 /** How wide the window is at first, m. */
 const FIRST = 0.6;
 /** The least and the greatest number of dots of a metre. */
@@ -88,8 +89,9 @@ export class View {
       this.resize(this.width, this.height);
       return;
     }
-    const across = (this.width - 2 * MARGIN) / Math.max(bounds.right - bounds.left, 1e-9);
-    const down = (this.height - 2 * MARGIN) / Math.max(bounds.high - bounds.low, 1e-9);
+    const margin = Math.min(MARGIN, SHARE * Math.min(this.width, this.height));
+    const across = (this.width - 2 * margin) / Math.max(bounds.right - bounds.left, 1e-9);
+    const down = (this.height - 2 * margin) / Math.max(bounds.high - bounds.low, 1e-9);
     this.scale = Math.min(Math.max(Math.min(across, down), LEAST), MOST);
     this.origin = [
       this.width / 2 - ((bounds.left + bounds.right) / 2) * this.scale,
