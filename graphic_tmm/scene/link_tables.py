@@ -11,13 +11,13 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Slide
 from graphic_tmm.scene import guides
 from graphic_tmm.scene.build import mechanism_of
-from graphic_tmm.scene.declare import Names, Sort
+from graphic_tmm.scene.declare import FAULTY, Names, Sort
 from graphic_tmm.scene.document import Document, as_table, raw_links
 from graphic_tmm.scene.meaning import alike, inner, is_point, left_out, meant, same, sort_of
 from graphic_tmm.scene.mechanism import DIGITS, Joints
 from graphic_tmm.scene.quantities import measuring, si
 from graphic_tmm.scene.sections import lengths_of, measures, understand
-from graphic_tmm.scene.values import SENSE, link_side
+from graphic_tmm.scene.values import LINK_SIDE, SENSE
 
 AS_IT_IS = Joints()
 """The hand that rounds nothing."""
@@ -65,11 +65,7 @@ def link_table(link: Link, hand: Joints, frame: int, told: Mapping[str, Any]) ->
     if link.slides:
         row = list(link.points.values())
         reach = max((abs(z - row[0]) for z in row[:2]), default=0.0)
-        raw = slides_of(told)
-        known = {
-            (frame if one.get("on") == "frame" else one.get("on"), one.get("along")): one
-            for one in raw
-        }
+        known = _by_pair(told, frame)
         slides = [
             _slide(one, hand, frame, reach, known.get((one.on, one.guide.name), {}))
             for one in link.slides
@@ -87,6 +83,14 @@ def slides_of(link: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     """Return the tables of a link's sliding pairs, written as a table or as a list of them."""
     told = link.get("slides")
     return told if isinstance(told, list) else [told] if isinstance(told, dict) else []
+
+
+def _by_pair(link: Mapping[str, Any], frame: int) -> dict[tuple[Any, Any], Mapping[str, Any]]:
+    """Return the tables of a link's sliding pairs by the number of the other link and its guide."""
+    return {
+        (frame if one.get("on") == "frame" else one.get("on"), one.get("along")): one
+        for one in slides_of(link)
+    }
 
 
 def guide_table(guide: Guide, hand: Joints) -> dict[str, Any]:
@@ -138,10 +142,8 @@ def _sense(slide: Slide, told: object, *, fixed: bool) -> str:
 
 def _side(sign: int, left_of: tuple[str, str], told: object) -> str:
     """Return the side of an inner pin; of the same two letters in the words of the scene."""
-    try:
-        known, pair = link_side(told)
-    except ValueError:
-        pair, known = ("", ""), 0
+    side = meant(LINK_SIDE, told, {})
+    known, pair = (0, ("", "")) if side is FAULTY else side
     if set(pair) != set(left_of):
         return f"{'left of' if sign > 0 else 'right of'} {''.join(left_of)}"
     text = str(told).strip()
@@ -228,7 +230,14 @@ class _Tables:
             return (
                 own | _loads(link) | ({"passive": True} if link in self.mechanism.passive else {})
             )
-        return {k: x for k, x in told.items() if k not in _GEOMETRY} | own
+        gone = _GEOMETRY if self._side_stands(told) else (*_GEOMETRY, "side", "flips_at")
+        return {k: x for k, x in told.items() if k not in gone} | own
+
+    def _side_stands(self, told: Document) -> bool:
+        """Whether the letters by which a link tells its side are still there."""
+        bodies = (self.mechanism.frame, *self.mechanism.drawn)
+        side = meant(LINK_SIDE, told.get("side"), {})
+        return side is FAULTY or all(any(k in one.points for one in bodies) for k in side[1])
 
     def _by_joints(self, own: Document, told: Document, hand: Joints) -> Document:
         """Return the table of a link by the places of its joints: guides as they lie, sides if it said them."""
@@ -241,7 +250,7 @@ class _Tables:
             by_letter = {
                 name: one["through"]
                 for name, one in as_table(told.get("guides")).items()
-                if as_table(one).get("through") in lies.points
+                if str(as_table(one).get("through")) in lies.points
             }
             made["guides"] = {
                 one.name: guide_table(one, hand)
@@ -250,14 +259,15 @@ class _Tables:
             }
         if "side" not in told:
             made.pop("side", None)
-        said_side = [("side" in one) for one in slides_of(told)] + [False] * len(slides_of(own))
+        frame, left = self.mechanism.frame.number, ("offset", "angle")
+        known_slides = _by_pair(told, frame)
         slides = [
             {
                 k: x
                 for k, x in one.items()
-                if k not in ("offset", "angle", *(() if side else ("side",)))
+                if k not in left and (k != "side" or k in known_slides.get(at, {}))
             }
-            for one, side in zip(slides_of(own), said_side, strict=False)
+            for at, one in _by_pair(own, frame).items()
         ]
         if slides:
             made["slides"] = slides if isinstance(own["slides"], list) else slides[0]

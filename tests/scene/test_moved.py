@@ -6,6 +6,7 @@ import copy
 import difflib
 import re
 import tomllib
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -319,6 +320,58 @@ def test_a_length_that_a_task_gives_changes_here_alone() -> None:
     assert 'A = ["120 mm", 0]' in rewritten(text, told)
     with pytest.raises(Unplaced):
         rewritten(text, told, everywhere=True)
+
+
+CYLINDER = """title = "A swinging cylinder"
+language = "en"
+[frame]
+O = [0, 0]
+C = ["160 mm", 0]
+[joints]
+A = ["24 mm", "32 mm"]
+[[link]]
+number = 1
+points = ["O", "A"]
+[[link]]
+number = 2
+points = ["A"]
+slides = [{ on = 3, along = "z", side = "+", cylinder = "oil" }]
+[[link]]
+number = 3
+points = ["C"]
+guides = { z = { through = "C", angle = "166.75948008481282 deg" }, q = { through = ["100 mm", 0], angle = 5 } }
+[drive]
+link = 1
+speed = "15 rad/s"
+"""
+
+
+def test_guides_of_a_link_by_joints_are_told_as_they_lie() -> None:
+    scene, doc = graphic_tmm.read(CYLINDER), tomllib.loads(CYLINDER)
+    assert scene.mechanism is not None
+    places = {"O": 0j, "C": 0.16 + 0j, "A": 0.024 + 0.032j}
+    drawn = lying(scene.mechanism, places)
+    own = built(drawn, 0.0, scene.mechanism).mechanism
+    assert rewritten(CYLINDER, tables_of(own, Joints(), doc, drawn)) == CYLINDER
+    moved = placed(drawn, {"C": 0.2 + 0j})
+    own = built(moved, 0.0, scene.mechanism).mechanism
+    new = tomllib.loads(rewritten(CYLINDER, tables_of(own, Joints(), doc, moved)))
+    assert new["frame"]["C"] == ["200 mm", 0]
+    assert new["link"] == doc["link"]
+
+
+def test_a_side_by_letters_that_are_no_more_goes_with_them() -> None:
+    (one, *_) = standing("crank-rocker")
+    text = ROCKER.replace("left of AC", "right of EC")
+    own = built(one.drawn, degrees(one), one.mechanism).mechanism
+    coupler = own.by_number[2]
+    points = {letter: z for letter, z in coupler.points.items() if letter != "E"}
+    links = tuple(
+        replace(link, side=None, points=points) if link is coupler else link for link in own.links
+    )
+    new = rewritten(text, tables_of(replace(own, links=links), doc=tomllib.loads(text)))
+    assert "side" not in tomllib.loads(new)["link"][1]
+    assert comments(new) == comments(text)
 
 
 WELDED = """title = "T"
