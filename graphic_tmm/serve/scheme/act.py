@@ -161,7 +161,9 @@ def drawing_of(told: Mapping[str, Any]) -> SchemeAct | None:
         count = min(int(turn) if turn is not None else 0, MOST_PLACES)
     except (AttributeError, TypeError, ValueError):
         return None
-    return SchemeAct(sketch, names[0], links, names[1], told.get("scale") is True, at, max(count, 0))
+    return SchemeAct(
+        sketch, names[0], links, names[1], told.get("scale") is True, at, max(count, 0)
+    )
 
 
 def _begun(speech: Speech) -> Document:

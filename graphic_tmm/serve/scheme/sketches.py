@@ -85,8 +85,22 @@ def lying_document(sketch: Sketch, like: Document) -> Document:
     known = {one.get("number"): one for one in like.get("link", []) if isinstance(one, dict)}
     fixed: dict[str, Any] = {"number": frame["number"]}
     fixed |= {letter: _place(places[letter]) for letter in frame["points"]} | _guides(frame)
-    told = [_link(one, places, frame["number"], known.get(one["number"], {})) for one in links]
+    told = [
+        _link(
+            one if one["number"] in known else _from_pivot(one, frame),
+            places,
+            frame["number"],
+            known.get(one["number"], {}),
+        )
+        for one in links
+    ]
     return {**like, "frame": fixed, "link": told}
+
+
+def _from_pivot(link: Sketch, frame: Sketch) -> Sketch:
+    """Return a link whose letters begin with its pivot, where its own axes begin."""
+    letters = sorted(link["points"], key=lambda letter: letter not in frame["points"])
+    return {**link, "points": letters}
 
 
 def _link(

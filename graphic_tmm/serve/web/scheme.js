@@ -34,6 +34,7 @@ const save = /** @type {HTMLButtonElement} */ (element("button", { type: "submit
 const form = element("form", { class: "scheme-save" }, title, save);
 form.addEventListener("submit", async (event) => {
   event.preventDefault();
+  await editor.queue;
   if (editor.text === "") return tell(words["scheme not whole"] ?? "");
   const { name, errors } = await newScene(editor.text, title.value);
   if (name === "") return tell(errors[0] ?? words["not sent"] ?? "");

@@ -1,3 +1,4 @@
+import { relettered } from "./changes.js";
 import {
   bodiesAt,
   bodyOf,
@@ -22,6 +23,9 @@ import {
  */
 
 const HALF_TURN = 180;
+/** The first support, and the letters that the pins of a first link have until there is one. */
+const ORIGIN = "O";
+const FIRST = ["A", "B"];
 
 /**
  * Return a copy that may be changed.
@@ -111,11 +115,25 @@ export function pinned(sketch, number, target) {
  * @returns {Sketch}
  */
 export function supported(sketch, letter) {
+  const first = frameOf(sketch).points.length === 0 && FIRST.includes(letter) && !(ORIGIN in sketch.places);
+  if (first) return supported(withOrigin(sketch, letter), ORIGIN);
   const made = copyOf(sketch);
   const frame = frameOf(made);
   const there = frame.points.includes(letter);
   frame.points = there ? frame.points.filter((one) => one !== letter) : [...frame.points, letter];
   return made;
+}
+
+/**
+ * Call the first support O, and the other pin of a first link A, where nobody has called them otherwise.
+ * @param {Sketch} sketch
+ * @param {string} letter
+ * @returns {Sketch}
+ */
+function withOrigin(sketch, letter) {
+  const made = relettered(sketch, letter, ORIGIN) ?? sketch;
+  const [first = "", second = ""] = FIRST;
+  return letter === first && Object.keys(made.places).length === 2 ? (relettered(made, second, first) ?? made) : made;
 }
 
 /**

@@ -52,7 +52,6 @@ export class Editor {
     this.waiting = 0;
     /** Whether a length was typed: the first is the scale of all. */
     this.measured = false;
-    /** When a letter or figure was typed last, ms. */
     this.typedAt = 0;
     /** Whoever shall know that something has changed. */
     this.follow = () => {};
@@ -124,9 +123,11 @@ export class Editor {
    */
   ask(act, before = this.moment) {
     this.waiting += 1;
+    this.element.setAttribute("aria-busy", "true");
     this.queue = this.queue.then(async () => {
       const { answer, errors } = await this.send({ text: this.text, ...act });
       this.waiting -= 1;
+      this.element.setAttribute("aria-busy", String(this.waiting > 0));
       if (answer === null) this.undone(errors, before);
       else this.take(answer);
     });
@@ -193,7 +194,6 @@ export class Editor {
     this.ask(whole ? { at: moment.answer?.at ?? null } : { sketch: this.sketch }, before);
   }
 
-  /** Leave what is being done. */
   cancel() {
     this.hand.cancel();
     this.choose({});

@@ -71,9 +71,10 @@ export class Hand {
 
   /** @param {Meant} meant */
   press(meant) {
+    if (this.editor.picture.corner(meant.place)) return;
     const { chosen } = this.editor;
     this.begun = meant;
-    if (this.tool === "" && meant.letter !== undefined && meant.letter === chosen.letter) this.moving = meant.letter;
+    if (this.tool === "" && meant.letter !== undefined && meant.letter === chosen.letter && !chosen.drawn) this.moving = meant.letter;
     if (this.tool === "slider" && this.pin === "") this.pin = meant.letter ?? "";
   }
 
@@ -169,7 +170,7 @@ export class Hand {
     const { editor } = this;
     const made = acts.linked(editor.sketch, targetOf(start), targetOf(end));
     if (made === null) editor.tell(editor.say("scheme same link"));
-    else editor.act(made.sketch, { letter: made.letter });
+    else editor.act(made.sketch, { letter: made.letter, drawn: true });
   }
 
   /**

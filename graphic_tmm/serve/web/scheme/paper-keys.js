@@ -21,6 +21,7 @@ export function listenToKeys(paper) {
   const keys = new Keys(paper);
   paper.svg.addEventListener("keydown", (event) => keys.key(event));
   paper.svg.addEventListener("blur", () => {
+    keys.rest = paper.cross ?? keys.rest;
     paper.cross = null;
     paper.draw();
   });
@@ -34,6 +35,8 @@ class Keys {
     this.held = false;
     /** @type {Dots} */
     this.heldAt = [0, 0];
+    /** Where the cross was last. @type {Place | null} */
+    this.rest = null;
   }
 
   /** @param {KeyboardEvent} event */
@@ -79,9 +82,10 @@ class Keys {
     this.paper.hand.hover(this.paper.meant(view.dots(this.paper.cross)));
   }
 
-  /** Where the cross begins: at the chosen pin, else in the middle. @returns {Place} */
+  /** Where the cross begins: where it was last, at the chosen pin, else in the middle. @returns {Place} */
   beginning() {
     const { letter } = this.paper.chosen;
+    if (this.rest !== null) return this.rest;
     if (letter !== undefined && this.paper.sketch !== null) return placeOf(this.paper.sketch, letter);
     return this.paper.view.place([this.paper.view.width / 2, this.paper.view.height / 2]);
   }

@@ -126,8 +126,8 @@ export class Paper {
       if (rubber.to.letter !== undefined || rubber.to.bar !== undefined) made.push(drawnElement("circle", { class: "joins", cx: x, cy: y, r: RING }));
       if (rubber.says !== "") made.push(says(rubber.says, x, y - RING - 8));
     }
-    const { letter } = this.chosen;
-    if (letter !== undefined && this.sketch !== null) {
+    const { letter, drawn } = this.chosen;
+    if (letter !== undefined && !drawn && this.sketch !== null) {
       const [x, y] = view.dots(placeOf(this.sketch, letter));
       made.push(drawnElement("circle", { class: "grip", cx: x, cy: y, r: RING - 4 }));
     }

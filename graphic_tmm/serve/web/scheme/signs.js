@@ -9,7 +9,8 @@ import { alongOf, apart, bodiesAt, bodyOf, cornersOf, frameOf, lineOf, minus, mo
  * @typedef {import("./sketch.js").Sketch} Sketch
  * @typedef {import("./view.js").Dots} Dots
  * @typedef {import("./view.js").View} View
- * @typedef {{letter?: string, number?: number}} Chosen a pin, or a link
+ * @typedef {{letter?: string, number?: number, drawn?: boolean}} Chosen a pin, or a link; drawn: a pin that a link was just drawn to:
+ *   the next link begins there
  */
 
 const PIN = 6;

@@ -12,8 +12,6 @@
 
 /** Letters in the order in which pins get them: none of a pole, of a mass centre, of the origin. */
 const LETTERS = "ABCDEFGHKLMNQRTUVWXYZ";
-/** The first support. */
-const ORIGIN = "O";
 const GUIDES = ["x", "y", "z", "t", "n", "s", "u", "w"];
 
 /** @returns {Sketch} */
@@ -77,12 +75,11 @@ export function cornersOf(sketch, body) {
 }
 
 /**
- * Return a letter that no pin has; the first support is O.
+ * Return a letter that no pin has.
  * @param {Sketch} sketch
  */
 export function freeLetter(sketch) {
   const taken = sketch.places;
-  if (Object.keys(taken).length === 0) return ORIGIN;
   const plain = [...LETTERS].find((one) => !(one in taken));
   if (plain !== undefined) return plain;
   for (let k = 1; ; k += 1) if (!(`A${k}` in taken)) return `A${k}`;

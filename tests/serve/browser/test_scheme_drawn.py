@@ -1,0 +1,183 @@
+"""Mechanisms drawn by mouse, by keys and by fingers, in few acts, then on sheets without touching a file."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from support import scheme_hand
+from support.scheme_hand import SchemeHand
+from support.served import SMALL
+from support.studios import SIZES, Tab, expect, in_sight, serious, serving
+
+import graphic_tmm
+
+MOST = 15
+"""Acts by mouse that a mechanism of two groups may take."""
+DRAWN = (
+    scheme_hand.shaper,
+    scheme_hand.crank_rocker,
+    scheme_hand.swinging_cylinder,
+    scheme_hand.v_engine,
+)
+
+
+@pytest.fixture(scope="module")
+def empty(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("empty")
+
+
+@pytest.fixture(scope="module")
+def gallery(empty: Path) -> Iterator[str]:
+    with serving(empty) as found:
+        yield found
+
+
+@pytest.mark.parametrize("drawn", DRAWN, ids=lambda one: one.__name__)
+def test_a_mechanism_is_drawn_in_few_acts(
+    drawn: Callable[[SchemeHand], None], gallery: str, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    drawn(hand)
+    assert hand.acts <= MOST
+    assert serious(tab.page) == []
+    assert in_sight(tab.page) == []
+
+
+def test_an_empty_folder_begins_with_a_scheme_and_ends_with_sheets(
+    tmp_path: Path, tab_of: Callable[..., Tab]
+) -> None:
+    with serving(tmp_path) as address:
+        tab = tab_of("", gallery=address)
+        hand = SchemeHand(tab)
+        scheme_hand.shaper(hand)
+        hand.length("OA", "110 mm")
+        assert hand.lengths()["BD"].endswith(" mm")
+        tab.page.locator(".scheme-save input").fill("Slotting machine: №1/../x")
+        tab.page.locator(".scheme-save button").click()
+        tab.page.wait_for_url("**/s/slotting-machine-1-x/#scheme")
+        hand.whole("I(1) → II(2-3) → II(4-5)")
+        hand.length("its angular speed", "60 rpm")
+        tab.page.get_by_role("tab", name="Sheets").click()
+        tab.shown()
+        tab.page.get_by_role("tab", name="Plans step by step").click()
+        tab.page.locator("iframe:not(.coming)").wait_for()
+        with tab.page.expect_download() as told:
+            tab.page.get_by_role("tab", name="Sheets").click()
+            tab.page.get_by_text("Explanatory note (DOCX)").click()
+        assert Path(told.value.path()).read_bytes()[:2] == b"PK"
+        (folder,) = tmp_path.iterdir()
+        scene = graphic_tmm.read(folder)
+        assert scene.title == "Slotting machine: №1/../x"
+        assert abs(scene.mechanism.links[0].points["A"]) == 0.11
+        tab.page.goto("about:blank")
+
+
+def test_a_scheme_is_drawn_by_keys_alone(gallery: str, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    page = tab.page
+    page.locator(".scheme-paper").focus()
+
+    def keys(*row: str) -> None:
+        for key in row:
+            page.keyboard.press(key)
+
+    def tool(name: str) -> None:
+        button = page.locator(f"[data-tool={name}]")
+        button.focus()
+        button.press("Enter")
+
+    left, right, up, down = (f"Shift+Arrow{way}" for way in ("Left", "Right", "Up", "Down"))
+    keys(left, left, left, left, "Enter", left, down, "Enter")
+    tool("support")
+    keys("Escape", right, up, "Enter", *[right] * 4, down, "Enter", "c")
+    hand.says("W = 2")
+    assert page.locator(".scheme-paper text.letter", has_text="C").count() == 1
+    tool("slider")
+    keys("Enter", right, "Enter")
+    hand.says("say which link is driven")
+    tool("drive")
+    keys(*[left] * 6, "Enter", "Enter")
+    hand.whole("I(1) → II(2-3)")
+    assert hand.lengths().keys() >= {"OA", "AC"}
+
+
+def test_what_was_done_is_taken_back_and_done_again(
+    gallery: str, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    scheme_hand.crank_rocker(hand)
+    before = hand.lengths()
+    hand.length("OA", "40 mm")
+    larger = hand.lengths()
+    assert float(larger["AB"].split()[0]) < float(before["AB"].split()[0])
+    tab.page.locator("[data-tool=undo]").click()
+    expect(tab.page.locator(".lengths input").first).to_have_value(before["OA"])
+    assert hand.lengths() == before
+    tab.page.locator("[data-tool=redo]").click()
+    expect(tab.page.locator(".lengths input").first).to_have_value("40 mm")
+    assert hand.lengths() == larger
+    for _ in range(2):
+        tab.page.locator("[data-tool=undo]").click()
+        tab.page.wait_for_timeout(300)
+    hand.says("say which link is driven")
+
+
+def test_a_picture_lies_under_the_scheme_and_is_straightened(
+    gallery: str, tab_of: Callable[..., Tab], tmp_path: Path
+) -> None:
+    from PIL import Image, ImageDraw
+
+    picture = Image.new("RGB", (900, 500), "white")
+    ink = ImageDraw.Draw(picture)
+    ink.polygon([(100, 60), (820, 40), (860, 460), (60, 440)], outline="black", width=4)
+    ink.line([(330, 150), (400, 200)], fill="black", width=5)
+    file = tmp_path / "task.png"
+    picture.save(file)
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    tab.page.locator("input[type=file]").set_input_files(str(file))
+    tab.page.locator(".scheme-window canvas").wait_for()
+    size = "(one) => [one.width, one.height]"
+    assert tab.page.locator(".scheme-window canvas").evaluate(size) == [900, 500]
+    tab.page.get_by_role("button", name="Straighten").click()
+    box = tab.page.locator(".scheme-window canvas").bounding_box()
+    share = box["width"] / 900
+    for x, y in ((100, 60), (820, 40), (860, 460), (60, 440)):
+        hand.click((box["x"] - hand.box["x"] + share * x, box["y"] - hand.box["y"] + share * y))
+    expect(tab.page.locator(".scheme-window canvas")).to_have_count(1)
+    width, height = tab.page.locator(".scheme-window canvas").evaluate(size)
+    assert abs(width - 760) < 6
+    assert abs(height - 400) < 6
+    hand.acts = 0
+    scheme_hand.shaper(hand)
+    assert hand.acts <= MOST
+
+
+@pytest.mark.parametrize("size", ["phone", "turned"])
+def test_a_phone_draws_too(size: str, gallery: str, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of("draw", gallery=gallery, viewport=SIZES[size], has_touch=True)
+    hand = SchemeHand(tab)
+    hand.drag((100, 50), (60, 90))
+    hand.take("support")
+    hand.says("W = 1")
+    hand.drag((100, 50), (260, 90))
+    hand.says("W = 2")
+    assert serious(tab.page) == []
+    assert in_sight(tab.page) == []
+
+
+def test_a_scene_that_is_there_is_drawn_on(scene: Path, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    hand = SchemeHand.__new__(SchemeHand)
+    hand.tab, hand.page, hand.acts = tab, tab.page, 0
+    hand.whole("I(1) → II(2-3)")
+    hand.box = tab.page.locator(".scheme-paper").bounding_box()
+    assert scene.read_text("utf-8") == SMALL
+    hand.length("AB", "0.32 m")
+    tab.told("Drawn as the file says.")
+    assert scene.read_text("utf-8") == SMALL.replace('"0.3 m"', '"0.32 m"')
