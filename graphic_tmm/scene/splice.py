@@ -219,22 +219,31 @@ def _key_part(text: str, begin: int, number: int) -> tuple[int, int]:
 
 
 def without_table(text: str, path: Path) -> str:
-    """Return a text without a table that has a header, and without the comments that belong to it.
+    """Return a text without a table that has a header or dotted keys, and without what comments belong to it.
 
-    These are the lines above the header, and below the last key, that no empty line parts from it.
+    Of a header these are the lines above it, and below its last key, that no empty line parts from it.
 
     Raises
     ------
     Unplaced
-        If the table has no header of its own.
+        If the table is written otherwise.
     """
-    there = layout(text)
-    own = [one for one in there.headers if one[: len(path)] == path]
-    if path not in there.headers:
-        raise Unplaced(path)
-    wanted = put(tomllib.loads(text), path, None)
+    try:
+        wanted = put(tomllib.loads(text), path, None)
+    except LookupError:
+        raise Unplaced(path) from None
     if wanted.get(str(path[0])) == []:
         del wanted[str(path[0])]
+    there = layout(text)
+    own = [one for one in there.headers if one[: len(path)] == path]
+    dotted = [
+        row
+        for header, rows in there.rows.items()
+        for row in rows
+        if len(header) < len(path) < len(row) and row[: len(path)] == path
+    ]
+    for row in sorted(dotted, key=lambda one: there.keys[one], reverse=True):
+        text = _without(text, there, row)
     for one in sorted(own, key=lambda one: there.headers[one], reverse=True):
         begin, end = _block(text, there, one)
         behind = _EMPTY.match(text, end)

@@ -273,6 +273,23 @@ def test_letters_and_keys_come_and_go_in_the_tables_that_are_there() -> None:
     assert comments(new) == comments(ROCKER)
 
 
+@pytest.mark.parametrize(
+    "slides",
+    [
+        'slides = { on = "frame", along = "y" }   # on y\n',
+        'slides.on = "frame"   # on y\nslides.along = "y"\n',
+        '# its guide\n[link.slides]\non = "frame"   # on y\nalong = "y"\n',
+        '[[link.slides]]\non = "frame"   # on y\nalong = "y"\n\n[[link.slides]]\non = 1\nalong = "OA"\n',
+    ],
+)
+def test_a_table_that_is_no_more_goes_from_every_form(slides: str) -> None:
+    at = ROCKER.index("\n[drive]")
+    text = f"{ROCKER[:at]}{slides}{ROCKER[at:]}"
+    new = rewritten(text, {"link": tomllib.loads(ROCKER)["link"]})
+    assert new.replace("# on y\n", "") == ROCKER
+    assert rewritten(text, tomllib.loads(text)) == text
+
+
 def test_what_is_left_out_and_means_nothing_else_is_not_written() -> None:
     """A default that is written stays; one that is not stays unwritten."""
     told = with_links(ROCKER, _1={"passive": False, "slides": []})
