@@ -159,10 +159,13 @@ def _with_lengths(
 
 
 def _with_values(text: str, changes: list[tuple[Path, Any]]) -> str:
-    """Return a text with values that differ; those that named lengths have changed already are left."""
+    """Return a text with values that differ; those that named lengths have changed already are left.
+
+    What goes does so last: a table of dotted keys is there as long as it has one.
+    """
     doc = tomllib.loads(text)
     names = lengths_of(doc)
-    for path, new in changes:
+    for path, new in sorted(changes, key=lambda change: change[1] is None):
         old, sort = value_at(doc, path), sort_at(doc, path)
         if new is None:
             text = _without(text, path)

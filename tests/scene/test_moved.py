@@ -290,6 +290,15 @@ def test_a_table_that_is_no_more_goes_from_every_form(slides: str) -> None:
     assert rewritten(text, tomllib.loads(text)) == text
 
 
+def test_dotted_keys_may_all_be_others() -> None:
+    dotted = 'points.O = [0, 0]   # there\npoints.A = ["20 mm", 0]'
+    text = ROCKER.replace('points = { O = [0, 0], A = ["20 mm", 0] }', dotted)
+    told = with_links(ROCKER, _1={"points": {"K": [0, 0], "L": ["20 mm", 0]}})
+    new = rewritten(text, told)
+    assert tomllib.loads(new)["link"] == told["link"]
+    assert comments(new) == comments(text)
+
+
 def test_what_is_left_out_and_means_nothing_else_is_not_written() -> None:
     """A default that is written stays; one that is not stays unwritten."""
     told = with_links(ROCKER, _1={"passive": False, "slides": []})
