@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -203,7 +203,7 @@ def built(drawn: Mechanism, degrees: float = 0.0, like: Mechanism | None = None)
         for link in drawn.drawn
     }
     poses[drawn.frame.number] = Pose()
-    bare = {link.number: _own(link, poses, size) for link in drawn.links}
+    bare = {link.number: _own(link, poses, size, known.get(link.number)) for link in drawn.links}
     structure = dissect(replace(drawn, links=tuple(bare.values())))
     doubt: dict[str, float] = {}
     for group in class_two(structure.groups, "sketch"):
@@ -216,7 +216,7 @@ def built(drawn: Mechanism, degrees: float = 0.0, like: Mechanism | None = None)
         elif group.kind < 4:
             pair = group.legs[1].pair if group.kind == 2 else group.inner
             doubt[group.name] = _put_along(bare, pair, _ends(drawn, group), drawn, degrees)
-    passive = tuple(_own(link, poses, size) for link in drawn.passive)
+    passive = tuple(_own(link, poses, size, known.get(link.number)) for link in drawn.passive)
     return Built(replace(drawn, links=tuple(bare.values()), passive=passive), doubt)
 
 
@@ -238,43 +238,40 @@ def _axes(link: Link, size: float) -> Pose:
 
 
 def _axes_like(link: Link, like: Link, size: float) -> Pose:
-    """Return where the own axes of a link that lies somewhere are put, that they lie in it as in another.
+    """Return where the own axes of a link that lies somewhere are put, that it lies in them as another does.
 
-    The letter at the origin stays there, the next on the x axis on this.
+    The letter at the origin stays there. What slides keeps its direction to the guide; else the next letter on
+    the x axis stays on it, else own guides keep their directions, else another letter does.
     """
     row = [letter for letter in like.points if letter in link.points]
     row.sort(key=lambda letter: abs(like.points[letter]) > SAME * size)
     if not row:
         return _axes(link, size)
     origin, was = link.points[row[0]], like.points[row[0]]
-    others = [
-        letter
+    ways = [
+        (z - was, link.points[letter] - origin)
         for letter in row[1:]
-        if min(abs(link.points[letter] - origin), abs(like.points[letter] - was)) > SAME * size
+        if abs((z := like.points[letter]) - was) > SAME * size
     ]
-    others.sort(key=lambda letter: abs((like.points[letter] - was).imag) > SAME * size)
-    if others:
-        way = (link.points[others[0]] - origin) / (like.points[others[0]] - was)
-        angle = math.degrees(cmath.phase(way))
-    else:
-        angle = next(_angles_like(link, like), _axes(link, size).angle)
-    return Pose(origin - was * turn(angle), angle)
-
-
-def _angles_like(link: Link, like: Link) -> Iterator[float]:
-    """Yield the directions (degrees) of a link's x axis by which slides and guides lie in it as in another."""
     known = {(one.on, one.guide.name): one.angle for one in like.slides}
-    for slide in link.slides:
-        if (slide.on, slide.guide.name) in known:
-            yield slide.guide.angle + known[slide.on, slide.guide.name]
     angles = {one.name: one.angle for one in like.guides}
-    for guide in link.guides:
-        if guide.name in angles:
-            yield guide.angle - angles[guide.name]
+    directions = [
+        *(s.guide.angle + known[at] for s in link.slides if (at := (s.on, s.guide.name)) in known),
+        *(_between(*way) for way in ways if abs(way[0].imag) < SAME * size and way[1]),
+        *(one.angle - angles[one.name] for one in link.guides if one.name in angles),
+        *(_between(*way) for way in ways if way[1]),
+        _axes(link, size).angle,
+    ]
+    return Pose(origin - was * turn(directions[0]), directions[0])
 
 
-def _own(link: Link, poses: Mapping[int, Pose], size: float) -> Link:
-    """Return a link that lies somewhere in its own axes, without sides."""
+def _between(first: complex, second: complex) -> float:
+    """Return the angle from one way to another, degrees."""
+    return math.degrees(cmath.phase(second / first))
+
+
+def _own(link: Link, poses: Mapping[int, Pose], size: float, like: Link | None = None) -> Link:
+    """Return a link that lies somewhere in its own axes, without sides; its guides by points of another."""
     pose = poses[link.number]
 
     def clean(length: float) -> float:
@@ -287,6 +284,15 @@ def _own(link: Link, poses: Mapping[int, Pose], size: float) -> Link:
     def guide(one: Guide, of: Pose) -> Guide:
         return replace(one, through=point(one.through, of), angle=_angle(one.angle - of.angle))
 
+    def line(one: Guide) -> Guide:
+        own = guide(one, pose)
+        off = ((points.get(own.name, own.through) - own.through) * turn(-own.angle)).imag
+        return (
+            replace(own, through=points[own.name]) if own.name in points and not clean(off) else own
+        )
+
+    points = {one.name: one.through for one in like.guides} if like is not None else {}
+
     def slide(one: Slide) -> Slide:
         way = turn(one.guide.angle)
         offset = clean(((pose.origin - one.guide.through) * way.conjugate()).imag)
@@ -298,7 +304,7 @@ def _own(link: Link, poses: Mapping[int, Pose], size: float) -> Link:
     return replace(
         link,
         points={letter: point(z, pose) for letter, z in link.points.items()},
-        guides=tuple(guide(one, pose) for one in link.guides),
+        guides=tuple(map(line, link.guides)),
         slides=tuple(map(slide, link.slides)),
         side=None,
     )

@@ -148,6 +148,26 @@ def test_a_hand_that_moves_a_joint_gives_whole_millimetres(name: str) -> None:
             assert not re.search(r"\d\.\d{4,} mm", line), line
 
 
+@each(
+    "name, letter, changed",
+    [
+        ("oscillating-cylinder", "S3", ["points = { C"]),
+        ("oscillating-cylinder", "C", ["C =", "points = { C"]),
+        ("tipper", "G", ["G ="]),
+        ("tangent-mechanism", "S5", ["points = { D"]),
+    ],
+)
+def test_a_slider_and_its_guide_keep_their_own_axes(
+    name: str, letter: str, changed: list[str]
+) -> None:
+    """No mass centre that is moved turns what slides; a guide that lies in its line is told as it was."""
+    one, text = next(standing(name)), text_of(name)
+    drawn = placed(one.drawn, {letter: dict(movable(one))[letter]})
+    own = built(drawn, degrees(one), one.mechanism).mechanism
+    new = lines(text, rewritten(text, tables_of(own, Joints(to=1e-3), tomllib.loads(text))))
+    assert [line[: len(begin)] for line, begin in zip(new, changed, strict=True)] == changed
+
+
 def test_a_link_that_is_no_more_goes_with_its_comments_and_no_others() -> None:
     text = ROCKER.replace(
         "[[link]]\nnumber = 2", "# the coupler:\n# a plate\n[[link]]\nnumber = 2"
