@@ -117,7 +117,9 @@ def drawings() -> Iterator[tuple[str, float, float]]:
             made = scheme(b"", file, SchemeAct(sketch=clicked(there, by)), EN)
             assert made["text"] is not None, made["says"]
             shift = complex(*made["shift"])
-            found = rows(made["text"], file, low, high)
+            # of a slider it is counted from another point of its guide
+            by_so_much = 0.0 if first["sweep"]["unit"] == "°" else made["at"] - at
+            found = rows(made["text"], file, low + by_so_much, high + by_so_much)
             off = max(float(np.nanmax(np.abs(found[k] - shift - meant[k]))) for k in meant) / size
             here = (
                 max(

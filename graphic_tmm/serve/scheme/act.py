@@ -8,33 +8,24 @@ is written. What comes back is that scene, drawn.
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path as File
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.values import Complexes
-from graphic_tmm.errors import Fault, SceneError, StructureError
+from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.catalogue import Speech
-from graphic_tmm.language.said import Said, said
-from graphic_tmm.mechanism.driven import Driven
-from graphic_tmm.mechanism.guides import turn
-from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.sketch import built, lying
-from graphic_tmm.mechanism.structure import count, dissect
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.sketch import lying
+from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.any_angles.motion import Recorded, motion, recorded
 from graphic_tmm.readers.any_angles.turn import Plan
-from graphic_tmm.scene.document import Document, as_table, parsed, toml
-from graphic_tmm.scene.link_tables import tables_of
-from graphic_tmm.scene.mechanism import Joints
-from graphic_tmm.scene.moved import rewritten
+from graphic_tmm.scene.document import Document, parsed
 from graphic_tmm.scene.quantities import in_si
-from graphic_tmm.scene.read import understood
-from graphic_tmm.scene.renamed import exchanged, relettered
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.renamed import exchanged, relettered
 from graphic_tmm.serve.edit import Missing, edited, new_faults
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.scheme.fields import scheme_fields
@@ -42,29 +33,18 @@ from graphic_tmm.serve.scheme.sketches import (
     Sketch,
     is_length,
     is_sketch,
-    lying_document,
     scaled,
     shifted,
     sketch_of,
 )
+from graphic_tmm.serve.scheme.standing import Standing, standing_of
+from graphic_tmm.serve.scheme.written import bare, origin_of, written
 
-STEP, SMALL = 1e-3, 1e-4
-"""Lengths are multiples of the first, m; of a mechanism smaller than `TINY` of the second."""
-TINY = 0.05
-NEAR = 0.01
-"""What lies nearer to a line was meant on it, of the mechanism's size: hands click 0.5 mm off on 150 (sd)."""
-UNSURE = 0.05
-"""As `scene.joints.UNSURE`: nobody sees a side there."""
-SPAN = 0.15
-"""A drive that slides goes so far to both sides of where it was drawn, of the size, until told else."""
 MOST_PLACES = 720
 """So many places of a turn are told at the most."""
-TURNS = 360.0
 EIGHTH = 8
 """A scene is shown an eighth of its row on: its first position is often a dead place."""
 PLANS: frozenset[Plan] = frozenset({"positions"})
-BARE = ("task", "lengths", "frame", "joints", "link", "drive")
-"""The sections that say where everything lies."""
 
 
 class SchemeAct(NamedTuple):
@@ -84,23 +64,6 @@ class SchemeAct(NamedTuple):
     turn: int = 0
 
 
-class Standing(NamedTuple):
-    """What a sketch is: W, its formula, what is missing; if nothing is, how it lies, and where it is driven."""
-
-    mobility: int | None = None
-    formula: str = ""
-    says: Said | str = ""
-    lies: Mechanism | None = None
-    driven: Driven | None = None
-
-    @property
-    def at(self) -> float | None:
-        """Where the drive stands: degrees, or m."""
-        if self.lies is None or self.driven is None:
-            return None
-        return _coordinate(self.lies, self.driven)
-
-
 def scheme(
     data: bytes, file: File, asked: SchemeAct, speech: Speech, missing: Missing = lambda text: ""
 ) -> dict[str, Any]:
@@ -117,14 +80,14 @@ def scheme(
     shift = 0j
     if asked.sketch is not None:
         sketch = _scaled(asked, text, file) if asked.scale else asked.sketch
-        stands = _standing(sketch, doc)
+        stands = standing_of(sketch, doc)
         if stands.lies is None:
             return _answer(sketch, stands, speech)
         if not text:
-            shift = _origin(stands)
+            shift = origin_of(stands)
             sketch = shifted(sketch, shift)
-            stands = _standing(sketch, doc)
-        text = _written(text, doc, stands, file)
+            stands = standing_of(sketch, doc)
+        text = written(text, doc, stands, file)
         asked = asked._replace(at=stands.at)
     if asked.typed:
         text = edited(text.encode(), asked.typed, file).decode()
@@ -171,52 +134,6 @@ def _begun(speech: Speech) -> Document:
     return {"title": speech(said("Mechanism")), "language": speech.language}
 
 
-def _standing(sketch: Sketch, doc: Document) -> Standing:
-    """Return what a sketch is."""
-    if len(sketch["links"]) < 2:
-        return Standing(says=said("Draw a link: drag from one of its pins to the other."))
-    drive, number = sketch["drive"], sketch["links"][1]["number"]
-    given = ("title", "language", "units", "task", "lengths", "link", "drive")
-    lies = lying_document(sketch, {key: doc[key] for key in given if key in doc})
-    lies["drive"] = _driven(doc, drive if drive is not None else number, {})
-    try:
-        mechanism = understood(lies, "scheme").mechanism
-    except SceneError as error:
-        return Standing(says=error.faults[0].message)
-    assert mechanism is not None
-    counted = count(mechanism)
-    w = counted.mobility
-    if drive is None and w == 1:
-        return Standing(w, "", said("W = 1: say which link is driven."))
-    try:
-        structure = dissect(built(mechanism).mechanism)
-    except StructureError as error:
-        return Standing(w, "", error.says if drive is not None else _lacks(w))
-    return Standing(w, structure.formula, "", mechanism, structure.first)
-
-
-def _lacks(w: int) -> Said:
-    """Return what is said of a mechanism without a drive that cannot be driven by one."""
-    if w > 1:
-        return said(
-            "W = {w}: a support, a slider or a further link is missing, or several drives", w=w
-        )
-    return said("W = {w}: nothing can move; a pair is too many", w=f"{w}".replace("-", "−"))
-
-
-def _driven(doc: Document, link: int, way: Mapping[str, Any]) -> Any:
-    """Return the drive of a scene, of the link that is driven now."""
-    told = doc.get("drive", {"speed": 0})
-    if isinstance(told, list):
-        return [{**as_table(told[0]), "link": link, **way}, *told[1:]]
-    return {"link": link, **{k: v for k, v in as_table(told).items() if k != "link"}, **way}
-
-
-def _size(mechanism: Mechanism) -> float:
-    places = [z for link in (mechanism.frame, *mechanism.drawn) for z in link.points.values()]
-    return max(abs(z - places[0]) for z in places)
-
-
 def _scaled(asked: SchemeAct, text: str, file: File) -> Sketch:
     """Return a sketch so large that the value typed is what it has: the first length is the scale of all."""
     assert asked.sketch is not None
@@ -231,110 +148,11 @@ def _scaled(asked: SchemeAct, text: str, file: File) -> Sketch:
     return scaled(asked.sketch, by)
 
 
-def _written(text: str, doc: Document, stands: Standing, file: File) -> str:
-    """Return the text of a scene whose mechanism lies so: new where there was none."""
-    lies, driven, at = stands.lies, stands.driven, stands.at
-    assert lies is not None
-    assert driven is not None
-    assert at is not None
-    size = _size(lies)
-    before = _bare(doc).mechanism if text else None
-    found = built(lies, at if driven.pair.kind == "R" else 0.0, before)
-    mechanism = found.mechanism
-    for name, doubt in found.doubt.items():
-        if doubt < UNSURE:
-            mechanism = _sided(mechanism, before, name, file)
-    hand = Joints(to=STEP if size > TINY else SMALL, near=NEAR * size)
-    way = {} if driven.pair.kind == "R" else _way(doc, at, size)
-    drive = _driven(doc, lies.drive.link, way)
-    tables = {**tables_of(mechanism, hand, doc, lies), "drive": drive}
-    return rewritten(text or _head(doc), tables)
-
-
-def _sided(mechanism: Mechanism, before: Mechanism | None, group: str, file: File) -> Mechanism:
-    """Return a mechanism in which a group has the sides that it had before.
-
-    Raises
-    ------
-    SceneError
-        If it was not there.
-    """
-    known = {link.number: link for link in before.drawn} if before is not None else {}
-    numbers = set(map(int, group.split("-")))
-    if not numbers <= known.keys():
-        says = said(
-            "group {name} is drawn so near to where both its assemblies meet that nobody sees its side: "
-            "draw it with the crank turned on a little",
-            name=group,
-        )
-        raise SceneError(str(file), (Fault("", 0, says),))
-
-    def sided(link: Link) -> Link:
-        if link.number not in numbers:
-            return link
-        was = known[link.number]
-        sides = {(one.on, one.guide.name): one.side for one in was.slides}
-        slides = (replace(one, side=sides.get((one.on, one.guide.name))) for one in link.slides)
-        return replace(link, side=was.side, slides=tuple(slides))
-
-    return replace(mechanism, links=tuple(map(sided, mechanism.links)))
-
-
-def _origin(stands: Standing) -> complex:
-    """Return by how much a new mechanism is shifted, m: where it is driven, or first held, is the origin."""
-    assert stands.lies is not None
-    assert stands.driven is not None
-    fixed = stands.lies.frame.points
-    letter = stands.driven.pair.name if stands.driven.pair.kind == "R" else next(iter(fixed), "")
-    return -fixed[letter] if letter in fixed else 0j
-
-
-def _head(doc: Document) -> str:
-    """Return the text that a new scene begins with."""
-    return "".join(f"{key} = {toml(value)}\n" for key, value in doc.items())
-
-
-def _way(doc: Document, at: float, size: float) -> Mapping[str, str]:
-    """Return the row of a drive that slides: what was written, else about where it was drawn."""
-    told = doc.get("drive")
-    first = as_table(told[0] if isinstance(told, list) else told)
-    if "from" in first or isinstance(first.get("positions"), list):
-        return {}
-    span = SPAN * size
-    low, high = (round((at + by) / STEP) for by in (-span, span))
-    return {"from": f"{low} mm", "to": f"{high} mm"}
-
-
-def _coordinate(lies: Mechanism, driven: Driven) -> float:
-    """Return where the drive stands: degrees, or m along its guide or out of its cylinder."""
-    link = lies.by_number[driven.link]
-    pin = link.points[driven.pin]
-    if driven.pair.kind == "R":
-        return math.degrees(cmath.phase(pin - link.points[driven.pair.name])) % TURNS
-    guide = link.slides[0].guide
-    if driven.telescopes:
-        cylinder = lies.by_number[link.slides[0].on]
-        others = [one for one in lies.by_number.values() if one is not cylinder]
-        pivot = next(
-            z for k, z in cylinder.points.items() if any(k in one.points for one in others)
-        )
-        return abs(pin - pivot)
-    return ((pin - guide.through) * turn(guide.angle).conjugate()).real
-
-
-def _bare(doc: Document) -> Scene:
-    """Return a scene with nothing in it but what says where everything lies."""
-    kept = {
-        key: one for key, one in doc.items() if key in BARE or not isinstance(one, (dict, list))
-    }
-    return understood(kept, "scheme")
-
-
 def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str, Any]:
     """Return a scene as it is drawn."""
     data = text.encode()
     _, doc = parsed(data, file)
-    scene = _bare(doc)
+    scene = bare(doc)
     assert scene.mechanism is not None
     of = recorded(scene, PLANS, exact=True)
     at = asked.at
