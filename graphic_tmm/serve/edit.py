@@ -84,12 +84,12 @@ def _with(text: str, field: Field | None, key: str, typed: str, file: File) -> s
         if out:
             assert field is not None
             return set_to(text, path, None) if field.written else text
-        return set_to(text, path, _source(typed, field, text))
+        return set_to(text, path, source_of(typed, field, text))
     except Unplaced:
         _refuse(file, key, said("this cannot be set here; change it in the file itself"))
 
 
-def _source(typed: str, field: Field | None, text: str) -> str:
+def source_of(typed: str, field: Field | None, text: str) -> str:
     """Return what was typed as TOML writes it: a text in quotes, or as it stands."""
     typed = typed.replace("\r\n", "\n").strip()
     if field is None:

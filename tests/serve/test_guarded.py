@@ -15,7 +15,7 @@ from support.real_server import serving
 from support.served import HOST, SMALL, TOKEN, opened, run, small
 
 from graphic_tmm.errors import SceneError
-from graphic_tmm.serve import limits, routes
+from graphic_tmm.serve import limits, routes, sent
 from graphic_tmm.serve.folder import Folder, folder_of
 
 PATHS = [
@@ -170,7 +170,7 @@ def test_bodies_are_limited_in_size_and_time(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     file = small(tmp_path)
-    monkeypatch.setattr(routes, "BODY_TIME", 0.2)
+    monkeypatch.setattr(sent, "BODY_TIME", 0.2)
 
     async def serving() -> None:
         async with opened(file, drawing=False) as (browser, _):

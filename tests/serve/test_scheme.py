@@ -276,3 +276,18 @@ def test_letters_and_numbers_are_others_in_the_whole_scene() -> None:
     meant = {one.number: one for one in judged(made["text"].encode(), file).mechanism.links}  # type: ignore[union-attr]
     assert (meant[3].name, meant[2].name) == ("coupler", "rocker")
     assert len(made["text"]) == len(file.read_text("utf-8"))
+
+
+def test_what_the_task_gives_besides_is_added() -> None:
+    file = SHEETS / "crank-rocker" / "scene.toml"
+    names = [one["name"] for one in shown(file)["sections"]]
+    assert {"load", "effects", "forces", "sheet"} <= set(names)
+    assert not {"frame", "link", "drive", "plans", "cam"} & set(names)
+    typed = {"link": "3", "point": "B", "force": "12 N", "direction": "-90 deg"}
+    made = shown(file, section="load", typed=typed)
+    assert '[[load]]\nlink      = 3\npoint     = "B"\nforce     = "12 N"\n' in made["text"]
+    assert judged(made["text"].encode(), file).doc["load"][0]["direction"] == "-90 deg"
+    with pytest.raises(TmmError, match="12 mm"):
+        shown(file, section="load", typed={**typed, "force": "12 mm"})
+    with pytest.raises(TmmError, match="no such section"):
+        shown(file, section="frame", typed={})

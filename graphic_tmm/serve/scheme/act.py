@@ -29,6 +29,7 @@ from graphic_tmm.scene.renamed import exchanged, relettered
 from graphic_tmm.serve.edit import Missing, edited, new_faults
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.scheme.fields import scheme_fields
+from graphic_tmm.serve.scheme.sections import added, offered
 from graphic_tmm.serve.scheme.sketches import (
     Sketch,
     is_length,
@@ -52,7 +53,8 @@ class SchemeAct(NamedTuple):
 
     ``sketch``: what was drawn, None where nothing was. ``letters``, ``numbers``: letters and links that are
     called otherwise now, by what they were. ``typed``: values by key, written as in the form; ``scale``: the
-    first of them is the scale of all. ``at``: where the drive stands; ``turn``: so many places of a turn.
+    first of them is the scale of all; ``section``: they are those of one more section. ``at``: where the drive
+    stands; ``turn``: so many places of a turn.
     """
 
     sketch: Sketch | None = None
@@ -62,6 +64,7 @@ class SchemeAct(NamedTuple):
     scale: bool = False
     at: float | None = None
     turn: int = 0
+    section: str = ""
 
 
 def scheme(
@@ -89,10 +92,14 @@ def scheme(
             stands = standing_of(sketch, doc)
         text = written(text, doc, stands, file)
         asked = asked._replace(at=stands.at)
-    if asked.typed:
+    if asked.section:
+        text = added(text, asked.section, asked.typed, file, speech)
+    elif asked.typed:
         text = edited(text.encode(), asked.typed, file).decode()
     found = _drawn(text, asked, file, speech)
     errors = new_faults(data, text.encode(), file, missing) if data else ()
+    if asked.section and errors:
+        raise SceneError(str(file), errors)
     told = [speech(one.message) for one in errors]
     return found | {"errors": told, "shift": [shift.real, shift.imag]}
 
@@ -124,8 +131,16 @@ def drawing_of(told: Mapping[str, Any]) -> SchemeAct | None:
         count = min(int(turn) if turn is not None else 0, MOST_PLACES)
     except (AttributeError, TypeError, ValueError):
         return None
+    section = told.get("section")
     return SchemeAct(
-        sketch, names[0], links, names[1], told.get("scale") is True, at, max(count, 0)
+        sketch,
+        names[0],
+        links,
+        names[1],
+        told.get("scale") is True,
+        at,
+        max(count, 0),
+        section if isinstance(section, str) else "",
     )
 
 
@@ -172,6 +187,7 @@ def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str,
         "at": at,
         "sweep": _sweep(of, scene),
         "fields": scheme_fields(data, doc, file, speech),
+        "sections": offered(doc, speech),
     }
     if asked.turn:
         found["turn"] = _turn(scene, of, asked.turn)
@@ -223,6 +239,7 @@ def _answer(sketch: Sketch, stands: Standing, speech: Speech) -> dict[str, Any]:
         "at": None,
         "sweep": None,
         "fields": [],
+        "sections": [],
         "errors": [],
         "turn": None,
         "shift": [0.0, 0.0],

@@ -56,6 +56,8 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme lengths": said("Lengths"),
     "scheme next": said("What the task gives next"),
     "scheme named": said("{name} stands in several places: change it"),
+    "scheme add": said("Add what the task gives besides …"),
+    "scheme add it": said("Add it"),
     "scheme everywhere": said("everywhere"),
     "scheme here": said("here alone"),
     "scheme turn": said("The drive through its turn"),

@@ -27,13 +27,15 @@
  * @typedef {import("./scheme/sketch.js").Sketch} Sketch
  * @typedef {{key: string, kind: string, label: string, text: string, link: number | null, name: string,
  *   choices: string[], placeholder: string, says: string}} SchemeField link: whose it is; name: of a length used elsewhere, too
+ * @typedef {{name: string, says: string, choices: string[], example: string, wanted: boolean}} SectionKey
+ * @typedef {{name: string, says: string, keys: SectionKey[]}} OfferedSection
  * @typedef {{letter: string, unit: string, low: number, high: number, closed: boolean}} Sweep what a drive goes through
  * @typedef {{at: number[], places: Record<string, ([number, number] | null)[]>}} Turn
  * @typedef {{version: string, sketch: Sketch, mobility: number | null, formula: string, says: string, text: string | null,
- *   at: number | null, sweep: Sweep | null, fields: SchemeField[], errors: string[], turn: Turn | null, shift: [number, number]}} SchemeAnswer
+ *   at: number | null, sweep: Sweep | null, fields: SchemeField[], sections: OfferedSection[], errors: string[], turn: Turn | null, shift: [number, number]}} SchemeAnswer
  *   text: the scene, null while something is missing; says: what; shift: of the origin, m
  * @typedef {{text: string, sketch?: Sketch | null, letters?: Record<string, string>, numbers?: Record<string, number>,
- *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number}} SchemeAct
+ *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number, section?: string}} SchemeAct
  * @typedef {{answer: SchemeAnswer | null, errors: string[], status: number}} SchemeTold status 409: the file has changed
  * @typedef {{language: string, words: Words, several: boolean}} DrawingPaper
  * @typedef {{status: number, version: string, errors: Fault[]}} Answer status 0: nothing came back

@@ -1,3 +1,4 @@
+import { removeChosen, renameLetter, renameLink } from "./editor-acts.js";
 import { letterOf } from "./letters.js";
 import { placeOf } from "./sketch.js";
 
@@ -17,8 +18,8 @@ const WITH_CONTROL = {
 };
 /** Alone. @type {Record<string, (editor: Editor) => void>} */
 const ALONE = {
-  Delete: (editor) => editor.remove(),
-  Backspace: (editor) => editor.remove(),
+  Delete: removeChosen,
+  Backspace: removeChosen,
   " ": (editor) => editor.turning.toggle(),
 };
 
@@ -44,9 +45,9 @@ function named(editor, event) {
   const soon = event.timeStamp - editor.typedAt < TOGETHER;
   const figure = /^\d$/.test(event.key) ? Number(event.key) : null;
   const typed = letterOf(event);
-  if (letter !== undefined && typed !== "") editor.letter(letter, typed);
-  else if (letter !== undefined && figure !== null && soon) editor.letter(letter, `${letter}${figure}`);
-  else if (number !== undefined && figure !== null) editor.number(number, soon ? 10 * number + figure : figure);
+  if (letter !== undefined && typed !== "") renameLetter(editor, letter, typed);
+  else if (letter !== undefined && figure !== null && soon) renameLetter(editor, letter, `${letter}${figure}`);
+  else if (number !== undefined && figure !== null) renameLink(editor, number, soon ? 10 * number + figure : figure);
   else return false;
   editor.typedAt = event.timeStamp;
   return true;

@@ -6,7 +6,7 @@ import { Hand } from "./hand.js";
 import { Paper } from "./paper.js";
 import { Picture } from "./picture.js";
 import { Side } from "./side.js";
-import { blankSketch, bodyOf, frameOf } from "./sketch.js";
+import { blankSketch, bodyOf } from "./sketch.js";
 import { ToolBar } from "./tools.js";
 import { Turning } from "./turning.js";
 
@@ -207,44 +207,5 @@ export class Editor {
   move(letter, place) {
     if (place === null) return this.changed();
     this.act(changes.moved(this.sketch, letter, place));
-  }
-
-  remove() {
-    const { letter, number } = this.chosen;
-    if (letter !== undefined) this.act(changes.withoutPin(this.sketch, letter), {});
-    else if (number !== undefined) this.act(changes.withoutLink(this.sketch, number), {});
-  }
-
-  /**
-   * @param {string} from
-   * @param {string} to
-   */
-  letter(from, to) {
-    const made = changes.relettered(this.sketch, from, to);
-    if (made === null) this.tell(this.say("scheme letter taken", { letter: to }));
-    else this.act(made, { letter: to }, { letters: { [from]: to } });
-  }
-
-  /**
-   * @param {number} from
-   * @param {number} to
-   */
-  number(from, to) {
-    if (from === to || to === frameOf(this.sketch).number) return;
-    this.act(changes.renumbered(this.sketch, from, to), { number: to }, { numbers: { [from]: to } });
-  }
-
-  /**
-   * Type a value of the scene; the first length is the scale of all.
-   * @param {string} key
-   * @param {string} value
-   * @param {boolean} long whether it is a length of the mechanism
-   */
-  type(key, value, long) {
-    if (this.fixed) return this.tell(this.say("fixed"));
-    const before = this.history.keep(this.moment);
-    const scale = long && !this.measured;
-    if (long) this.measured = true;
-    this.ask({ typed: { [key]: value }, scale, sketch: scale ? this.sketch : null, at: this.answer?.at ?? null }, before);
   }
 }

@@ -3,6 +3,7 @@ import { moved } from "./changes.js";
 import { apart, bodiesAt, frameOf, minus, placeOf } from "./sketch.js";
 import { DEGREES } from "./snap.js";
 import { drivenBy, targetOf, TOOL_ACTS } from "./tool-acts.js";
+import { howOf } from "./tools.js";
 
 /**
  * What presses and releases on the paper mean. A link is drawn from place to place; a chosen pin is moved; a tool
@@ -51,7 +52,7 @@ export class Hand {
     else this.tool = tool;
     this.pin = letter ?? "";
     editor.changed();
-    editor.tell(this.tool === "" ? "" : editor.say(this.tool === "stone" && this.pin !== "" ? "scheme stone bar" : `scheme do ${this.tool}`));
+    editor.tell(this.tool === "" ? "" : editor.say(this.tool === "stone" && this.pin !== "" ? "scheme stone bar" : howOf(this.tool)));
   }
 
   /** @param {number} number */
@@ -183,7 +184,7 @@ export class Hand {
     this.tool = "";
     this.pin = "";
     const done = tool === "" ? null : TOOL_ACTS[tool](editor, use);
-    if (done === null) editor.tell(editor.say(`scheme do ${tool}`));
+    if (done === null) editor.tell(editor.say(howOf(tool)));
     else if ("wait" in done) [this.tool, this.pin] = [tool, done.wait];
     else editor.act(done.sketch, done.letter === undefined ? {} : { letter: done.letter }, { numbers: done.numbers ?? {} });
     if (done !== null && "wait" in done) editor.tell(editor.say("scheme stone bar"));

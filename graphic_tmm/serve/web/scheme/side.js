@@ -1,4 +1,6 @@
 import { element } from "../../../page/web/dom.js";
+import { renameLetter, renameLink, typeValue } from "./editor-acts.js";
+import { sectionForm } from "./section-form.js";
 import { bodiesAt, bodyOf, frameOf } from "./sketch.js";
 
 /**
@@ -18,8 +20,9 @@ export class Side {
     this.lengths = element("div", { class: "lengths" });
     this.next = element("div", { class: "next" });
     this.errors = element("p", { class: "wrong", role: "alert" });
+    this.more = element("div", { class: "more" });
     this.how = element("details", { class: "how" }, element("summary", {}, editor.say("scheme how")), element("p", {}, editor.say("scheme how text")), element("p", {}, editor.say("scheme keys")));
-    this.element = element("div", { class: "scheme-side" }, this.structure, this.errors, this.chosen, this.lengths, this.next, this.how);
+    this.element = element("div", { class: "scheme-side" }, this.structure, this.errors, this.chosen, this.lengths, this.next, this.more, this.how);
     this.shown = "";
   }
 
@@ -30,6 +33,7 @@ export class Side {
     const state = JSON.stringify([answer?.fields, chosen, sketch.links, sketch.drive]);
     if (state === this.shown) return;
     this.shown = state;
+    this.more.replaceChildren(...sectionForm(editor, answer?.sections ?? []));
     const focused = document.activeElement?.getAttribute("data-key");
     this.chosen.replaceChildren(...this.chosenPart());
     const fields = answer?.fields ?? [];
@@ -60,14 +64,14 @@ export class Side {
     const { letter, number } = editor.chosen;
     if (letter !== undefined) {
       const input = /** @type {HTMLInputElement} */ (element("input", { value: letter, maxlength: "4", "data-key": "letter", autocomplete: "off" }));
-      input.addEventListener("change", () => input.value !== letter && editor.letter(letter, input.value.trim()));
+      input.addEventListener("change", () => input.value !== letter && renameLetter(editor, letter, input.value.trim()));
       const on = bodiesAt(editor.sketch, letter).map((one) => (one === frameOf(editor.sketch) ? editor.say("scheme frame") : String(one.number)));
       return [element("h2", {}, editor.say("scheme pin of", { letter, links: on.join(", ") })), row(editor.say("scheme letter"), input)];
     }
     const body = number === undefined ? undefined : bodyOf(editor.sketch, number);
     if (body === undefined || number === undefined) return [];
     const input = /** @type {HTMLInputElement} */ (element("input", { type: "number", min: "1", max: "999", value: String(number), "data-key": "number" }));
-    input.addEventListener("change", () => editor.number(number, Number(input.value)));
+    input.addEventListener("change", () => renameLink(editor, number, Number(input.value)));
     return [element("h2", {}, editor.say("scheme link of", { number, letters: body.points.join(", ") })), row(editor.say("scheme number"), input)];
   }
 
@@ -106,11 +110,11 @@ export class Side {
   typed(field, value) {
     const { editor } = this;
     const long = field.kind === "length";
-    if (field.name === "") return editor.type(field.key, value, long);
+    if (field.name === "") return typeValue(editor, field.key, value, long);
     const question = element("p", { class: "question", role: "alert" }, editor.say("scheme named", { name: field.text }), " ");
     for (const [key, says] of [[field.name, "scheme everywhere"], [field.key, "scheme here"]]) {
       const button = element("button", { type: "button" }, editor.say(says ?? ""));
-      button.addEventListener("click", () => editor.type(key ?? "", value, long));
+      button.addEventListener("click", () => typeValue(editor, key ?? "", value, long));
       question.append(button);
     }
     this.errors.replaceChildren(question);

@@ -1,4 +1,5 @@
 import { element } from "../../../page/web/dom.js";
+import { removeChosen } from "./editor-acts.js";
 
 /**
  * The row of tools above the paper.
@@ -7,16 +8,24 @@ import { element } from "../../../page/web/dom.js";
  * @typedef {import("./tool-acts.js").ToolName} Tool
  */
 
-/** The tools in their order, with what each is drawn as (24 × 24). @type {[Tool, string][]} */
+/** The tools in their order, with what each is drawn as (24 × 24), what it is called, how it is used. @type {[Tool, string, string, string][]} */
 const TOOLS = [
-  ["support", "M12 5L5 17H19ZM5 17l-2 3M10 17l-2 3M15 17l-2 3M20 17l-2 3"],
-  ["slider", "M2 17H22M5 17l-2 3M10 17l-2 3M15 17l-2 3M20 17l-2 3M6 8H18V15H6Z"],
-  ["stone", "M3 21L21 3M7 11L13 5L19 11L13 17Z"],
-  ["cylinder", "M3 9H15V15H3ZM9 9V15M9 12H22"],
-  ["point", "M3 19L21 19L12 5ZM12 5m-2 0a2 2 0 1 0 4 0a2 2 0 1 0 -4 0"],
-  ["centre", "M12 3a9 9 0 1 0 .01 0M12 3V21M3 12H21"],
-  ["drive", "M19 12A7 7 0 1 1 12 5M9 2L13 5L9 8"],
+  ["support", "M12 5L5 17H19ZM5 17l-2 3M10 17l-2 3M15 17l-2 3M20 17l-2 3", "scheme support", "scheme do support"],
+  ["slider", "M2 17H22M5 17l-2 3M10 17l-2 3M15 17l-2 3M20 17l-2 3M6 8H18V15H6Z", "scheme slider", "scheme do slider"],
+  ["stone", "M3 21L21 3M7 11L13 5L19 11L13 17Z", "scheme stone", "scheme do stone"],
+  ["cylinder", "M3 9H15V15H3ZM9 9V15M9 12H22", "scheme cylinder", "scheme do cylinder"],
+  ["point", "M3 19L21 19L12 5ZM12 5m-2 0a2 2 0 1 0 4 0a2 2 0 1 0 -4 0", "scheme point", "scheme do point"],
+  ["centre", "M12 3a9 9 0 1 0 .01 0M12 3V21M3 12H21", "scheme centre", "scheme do centre"],
+  ["drive", "M19 12A7 7 0 1 1 12 5M9 2L13 5L9 8", "scheme drive", "scheme do drive"],
 ];
+
+/**
+ * Return the name of the words that say how a tool is used.
+ * @param {string} tool
+ */
+export function howOf(tool) {
+  return TOOLS.find(([one]) => one === tool)?.[3] ?? "";
+}
 
 export class ToolBar {
   /** @param {Editor} editor */
@@ -30,15 +39,15 @@ export class ToolBar {
 
   putTools() {
     const { editor } = this;
-    for (const [tool, icon] of TOOLS) {
-      this.put(tool, icon, editor.say(`scheme ${tool}`), () => {
+    for (const [tool, icon, name] of TOOLS) {
+      this.put(tool, icon, editor.say(name), () => {
         editor.hand.take(editor.hand.tool === tool ? "" : tool);
         editor.paper.svg.focus({ preventScroll: true });
       });
     }
     this.put("undo", "M9 7L4 12L9 17M4 12H15A5 5 0 0 1 15 22", editor.say("scheme undo"), () => editor.back(), true);
     this.put("redo", "M15 7L20 12L15 17M20 12H9A5 5 0 0 0 9 22", editor.say("scheme redo"), () => editor.forth(), true);
-    this.put("delete", "M5 7H19M9 7V4H15V7M7 7L8 21H16L17 7", editor.say("scheme delete"), () => editor.remove(), true);
+    this.put("delete", "M5 7H19M9 7V4H15V7M7 7L8 21H16L17 7", editor.say("scheme delete"), () => removeChosen(editor), true);
     this.put("whole", "M4 9V4H9M15 4H20V9M20 15V20H15M9 20H4V15", editor.say("whole"), () => editor.paper.fit(), true);
     this.element.append(editor.picture.button);
   }

@@ -1,0 +1,66 @@
+import * as changes from "./changes.js";
+import { frameOf } from "./sketch.js";
+
+/**
+ * What is done to the chosen pin or link, and to values, from keys and from the panel.
+ *
+ * @typedef {import("./editor.js").Editor} Editor
+ */
+
+/**
+ * Take away what is chosen.
+ * @param {Editor} editor
+ */
+export function removeChosen(editor) {
+  const { letter, number } = editor.chosen;
+  if (letter !== undefined) editor.act(changes.withoutPin(editor.sketch, letter), {});
+  else if (number !== undefined) editor.act(changes.withoutLink(editor.sketch, number), {});
+}
+
+/**
+ * Call a pin by another letter.
+ * @param {Editor} editor
+ * @param {string} from
+ * @param {string} to
+ */
+export function renameLetter(editor, from, to) {
+  const made = changes.relettered(editor.sketch, from, to);
+  if (made === null) editor.tell(editor.say("scheme letter taken", { letter: to }));
+  else editor.act(made, { letter: to }, { letters: { [from]: to } });
+}
+
+/**
+ * Give a link another number.
+ * @param {Editor} editor
+ * @param {number} from
+ * @param {number} to
+ */
+export function renameLink(editor, from, to) {
+  if (from === to || to === frameOf(editor.sketch).number) return;
+  editor.act(changes.renumbered(editor.sketch, from, to), { number: to }, { numbers: { [from]: to } });
+}
+
+/**
+ * Type a value of the scene; the first length is the scale of all.
+ * @param {Editor} editor
+ * @param {string} key
+ * @param {string} value
+ * @param {boolean} long whether it is a length of the mechanism
+ */
+export function typeValue(editor, key, value, long) {
+  if (editor.fixed) return editor.tell(editor.say("fixed"));
+  const before = editor.history.keep(editor.moment);
+  const scale = long && !editor.measured;
+  if (long) editor.measured = true;
+  editor.ask({ typed: { [key]: value }, scale, sketch: scale ? editor.sketch : null, at: editor.answer?.at ?? null }, before);
+}
+
+/**
+ * Add a section with the values that were typed.
+ * @param {Editor} editor
+ * @param {string} section
+ * @param {Record<string, string>} typed
+ */
+export function addSection(editor, section, typed) {
+  editor.ask({ section, typed, at: editor.answer?.at ?? null }, editor.history.keep(editor.moment));
+}
