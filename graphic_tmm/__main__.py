@@ -8,18 +8,19 @@ Exit status: 0 fine, 1 a check has found something, 2 bad input (one clear messa
 from __future__ import annotations
 
 import sys
-from pathlib import Path
+from importlib.resources import files
 
 import click
 
 from graphic_tmm.commands.shared.ending import Commands
+from graphic_tmm.errors import in_single_file
 from graphic_tmm.language.said import said
 
 
 def _changes(ctx: click.Context, _: click.Parameter, wanted: bool) -> None:
     """Print what has changed, page by page where somebody sits at a terminal."""
     if wanted:
-        text = Path(__file__).with_name("CHANGES.md").read_text(encoding="utf-8")
+        text = (files("graphic_tmm") / "CHANGES.md").read_text(encoding="utf-8")
         click.echo_via_pager(text.rstrip("\n"))
         ctx.exit()
 
@@ -44,5 +45,18 @@ def main() -> None:
             stream.reconfigure(encoding="utf-8", errors=errors)
 
 
+def start() -> None:
+    """Run what the command line asks for; a single file that is opened by a click has none: the studio."""
+    if not in_single_file():
+        main()
+    from multiprocessing import freeze_support
+
+    from graphic_tmm.commands.shared.single_file import studio_arguments, without_own_libraries
+
+    freeze_support()
+    without_own_libraries()
+    main(sys.argv[1:] or studio_arguments())
+
+
 if __name__ == "__main__":
-    main()
+    start()

@@ -17,6 +17,7 @@ from __future__ import annotations
 
 import errno
 import re
+import sys
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from typing import Any, NamedTuple
@@ -154,6 +155,20 @@ class MissingError(TmmError, ImportError):
     __str__ = Exception.__str__
 
 
+def in_single_file() -> bool:
+    """Whether the program runs as one file that brings its own Python (PyInstaller sets the attribute)."""
+    return bool(getattr(sys, "frozen", False))
+
+
+def installing(package: str) -> str:
+    """Return what installs a package, or an extra of this one: ``[pdf]``; a single file holds neither."""
+    named = f'"graphic-tmm{package}"' if package.startswith("[") else package
+    command = f"pip install {named}"
+    if not in_single_file():
+        return command
+    return said("this single file has no such package; where Python is: {command}", command=command)
+
+
 def needed(module: str, package: str) -> Any:
     """Return a module that may be missing.
 
@@ -165,7 +180,11 @@ def needed(module: str, package: str) -> Any:
     try:
         return import_module(module)
     except ImportError as error:
-        says = said("this needs the package {package}: pip install {package}", package=package)
+        says = said(
+            "this needs the package {package}: {remedy}",
+            package=package,
+            remedy=installing(package),
+        )
         raise MissingError(says) from error
 
 

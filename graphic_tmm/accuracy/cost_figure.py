@@ -15,6 +15,7 @@ from graphic_tmm.accuracy.answer import Answer, MeasuredWay
 from graphic_tmm.accuracy.answer_text import hand_name, of_worst, parts
 from graphic_tmm.accuracy.settings import dividing
 from graphic_tmm.accuracy.words import WORDS
+from graphic_tmm.errors import needed
 from graphic_tmm.language.numbers import number
 
 if TYPE_CHECKING:
@@ -49,10 +50,14 @@ SETTINGS: Any = {
 }
 
 
+def plotting() -> Any:
+    """Return matplotlib, which draws the figure; raises MissingError where it is not there."""
+    return needed("matplotlib", "matplotlib")
+
+
 def figures(answer: Answer) -> dict[str, bytes]:
     """Return the figure as SVG and PNG, by the end of the file's name; the same answer gives the same bytes."""
-    import matplotlib
-
+    matplotlib = plotting()
     with matplotlib.rc_context(SETTINGS):
         drawn = _draw(answer)
         svg, png = BytesIO(), BytesIO()
@@ -63,8 +68,7 @@ def figures(answer: Answer) -> dict[str, bytes]:
 
 def vector(answer: Answer, *, lettered: bool = False) -> str:
     """Return the figure as SVG; ``lettered``: its letters as text, not as outlines."""
-    import matplotlib
-
+    matplotlib = plotting()
     letters = {"svg.fonttype": "none" if lettered else "path"}
     with matplotlib.rc_context(SETTINGS | letters):
         svg = BytesIO()

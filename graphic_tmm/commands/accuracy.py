@@ -68,6 +68,7 @@ def accuracy(
     """Show what accuracy costs in SCENE: errors over work at the board and time on the machine."""
     from graphic_tmm.accuracy.answer import answer
     from graphic_tmm.accuracy.answer_text import answer_text
+    from graphic_tmm.accuracy.cost_figure import plotting
     from graphic_tmm.accuracy.geometrography import read_minutes
     from graphic_tmm.accuracy.report_json import csv_report, json_report
     from graphic_tmm.accuracy.report_text import text_report
@@ -85,6 +86,8 @@ def accuracy(
     if hard:
         _hard(task, form, output)
         return
+    if output is not None:
+        plotting()
     own = drawn_by(task, hand, seed)
     report: str | list[Any]
     if everything or form != "text":

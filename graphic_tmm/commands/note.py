@@ -67,6 +67,8 @@ def note(
 def _accuracy(task: Scene) -> Iterable[Block]:
     """Return the section on the accuracy of a scene's constructions."""
     from graphic_tmm.accuracy.answer import answer
+    from graphic_tmm.accuracy.cost_figure import plotting
     from graphic_tmm.accuracy.note_section import accuracy_section
 
+    plotting()
     return accuracy_section(answer(task))

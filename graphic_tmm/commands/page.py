@@ -67,5 +67,7 @@ def page(
 def _weighed(task: Scene) -> Answer:
     """Return what accuracy costs in a scene."""
     from graphic_tmm.accuracy.answer import answer
+    from graphic_tmm.accuracy.cost_figure import plotting
 
+    plotting()
     return answer(task)

@@ -20,7 +20,10 @@ from graphic_tmm.language.said import said
     show_default=True,
     help=said("Port to listen at; 0: one that is free."),
 )
-def serve(scene: str | None, host: str, port: int) -> None:
+@click.option(
+    "--browser", is_flag=True, help=said("Open the address in the browser of this computer, too.")
+)
+def serve(scene: str | None, host: str, port: int, browser: bool) -> None:
     """Serve SCENE, or all scenes of a folder, to a browser; what is edited is drawn again at once."""
     from graphic_tmm.language.reader import asked_language
     from graphic_tmm.serve.extra import served
@@ -34,4 +37,20 @@ def serve(scene: str | None, host: str, port: int) -> None:
                 host=host,
             )
         )
-    served(scene, host=host, port=port, language=asked_language(), tell=click.echo)
+    served(
+        scene,
+        host=host,
+        port=port,
+        language=asked_language(),
+        tell=_opened if browser else click.echo,
+    )
+
+
+def _opened(address: str) -> None:
+    """Print the address of the studio, and open it: the server goes on while a browser begins."""
+    import webbrowser
+    from threading import Thread
+
+    click.echo(address)
+    tell(said("the studio is in the browser; Ctrl-C, or closing this window, ends it"))
+    Thread(target=webbrowser.open, args=(address,), daemon=True).start()

@@ -12,7 +12,7 @@ import subprocess
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, installing
 from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
@@ -378,4 +378,6 @@ def program() -> str:
 
         return str(pypandoc.get_pandoc_path())
     except (ImportError, OSError) as error:
-        raise SheetError(said('a note needs pandoc: pip install "graphic-tmm[note]"')) from error
+        raise SheetError(
+            said("a note needs pandoc: {remedy}", remedy=installing("[note]"))
+        ) from error

@@ -8,7 +8,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, installing
 from graphic_tmm.language.catalogue import code_of, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.note import pandoc
@@ -180,8 +180,9 @@ def typesetter(form: str) -> Any:
     except ImportError as error:
         raise SheetError(
             said(
-                'a note as {form} needs the package typst: pip install "graphic-tmm[note]"',
+                "a note as {form} needs the package typst: {remedy}",
                 form=form,
+                remedy=installing("[note]"),
             )
         ) from error
     return typst

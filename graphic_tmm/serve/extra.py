@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from importlib.util import find_spec
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, installing
 from graphic_tmm.language.said import said
 
 NEEDED = ("starlette", "uvicorn", "watchfiles")
@@ -27,7 +27,9 @@ def served(
 
     folder = folder_of(scene)
     if any(find_spec(name) is None for name in NEEDED):
-        raise SheetError(said('serving needs more packages: pip install "graphic-tmm[serve]"'))
+        raise SheetError(
+            said("serving needs more packages: {remedy}", remedy=installing("[serve]"))
+        )
     from graphic_tmm.serve.server import serve
 
     serve(folder, host=host, port=port, language=language, tell=tell)

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.checking.photo.camera import Lens, pinhole
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, installing
 from graphic_tmm.language.said import said
 
 LONGEST = 2000
@@ -96,8 +96,9 @@ def opencv() -> Any:
     except ImportError as error:
         raise SheetError(
             said(
-                'to find a frame by itself the package OpenCV is needed: pip install "graphic-tmm[photo]", or '
-                "give the frame's corners with --corners"
+                "to find a frame by itself the package OpenCV is needed: {remedy}, or "
+                "give the frame's corners with --corners",
+                remedy=installing("[photo]"),
             )
         ) from error
     return cv2

@@ -10,7 +10,7 @@ from typing import Any, BinaryIO, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.errors import SheetError, TmmError
+from graphic_tmm.errors import SheetError, TmmError, installing
 from graphic_tmm.files import Kind, opened
 from graphic_tmm.language.said import said
 
@@ -84,7 +84,7 @@ def pillow() -> tuple[Any, Any]:
         from PIL import Image, ImageOps
     except ImportError as error:
         raise SheetError(
-            said('a photograph needs the package Pillow: pip install "graphic-tmm[photo]"')
+            said("a photograph needs the package Pillow: {remedy}", remedy=installing("[photo]"))
         ) from error
     return Image, ImageOps
 

@@ -20,7 +20,7 @@ from graphic_tmm.checking.readings.csv_cells import (
     head_of,
     rows,
 )
-from graphic_tmm.errors import Fault, SceneError, printable
+from graphic_tmm.errors import Fault, SceneError, installing, printable
 from graphic_tmm.language.said import said
 
 START = b"PK\x03\x04"
@@ -105,7 +105,9 @@ def sheets_of(file: Path, data: bytes, columns: int = COLUMNS) -> list[Sheet]:
     try:
         from openpyxl import load_workbook
     except ImportError:
-        says = said('an xlsx file needs the package openpyxl: pip install "graphic-tmm[xlsx]"')
+        says = said(
+            "an xlsx file needs the package openpyxl: {remedy}", remedy=installing("[xlsx]")
+        )
         _refuse(file, says)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

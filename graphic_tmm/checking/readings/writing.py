@@ -13,7 +13,7 @@ from graphic_tmm.checking.cells import RESULTS
 from graphic_tmm.checking.readings.csv_cells import HEADS, heads
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import Results
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, installing
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import decimal_sign
 from graphic_tmm.language.said import said
@@ -63,7 +63,7 @@ def workbook_of(
         from openpyxl.utils import get_column_letter
     except ImportError as error:
         raise SheetError(
-            said('an xlsx file needs the package openpyxl: pip install "graphic-tmm[xlsx]"')
+            said("an xlsx file needs the package openpyxl: {remedy}", remedy=installing("[xlsx]"))
         ) from error
     book = Workbook()
     sheet = book.active

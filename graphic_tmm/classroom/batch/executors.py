@@ -18,7 +18,7 @@ from multiprocessing.connection import Connection
 from threading import Thread
 from typing import Any, NamedTuple
 
-from graphic_tmm.errors import SheetError, printable
+from graphic_tmm.errors import SheetError, installing, printable
 from graphic_tmm.language.said import said
 
 LOADED = "graphic_tmm.classroom.making"
@@ -159,7 +159,7 @@ def _cluster(address: str) -> Iterator[Pool]:
         from dask import config
         from distributed import Client
     except ImportError as error:
-        says = said('a scheduler needs the extra cluster: pip install "graphic-tmm[cluster]"')
+        says = said("a scheduler needs the extra cluster: {remedy}", remedy=installing("[cluster]"))
         raise SheetError(says) from error
     try:
         opens: Any = Client  # its types are not told

@@ -12,7 +12,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, installing
 from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Sheet
@@ -59,7 +59,7 @@ def dxf(sheet: Sheet, *, stroked: bool = False) -> str:
         from ezdxf.filemanagement import new
     except ImportError as error:
         raise SheetError(
-            said('dxf needs the package ezdxf: pip install "graphic-tmm[dxf]"')
+            said("dxf needs the package ezdxf: {remedy}", remedy=installing("[dxf]"))
         ) from error
     kept = options.write_fixed_meta_data_for_testing
     options.write_fixed_meta_data_for_testing = True  # nothing from the clock

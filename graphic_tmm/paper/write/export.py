@@ -10,7 +10,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any, Literal
 
-from graphic_tmm.errors import SheetError
+from graphic_tmm.errors import SheetError, installing
 from graphic_tmm.language.catalogue import code_of
 from graphic_tmm.language.said import said
 from graphic_tmm.paper import sheet_frame
@@ -102,7 +102,7 @@ def _compiled(
         import typst
     except ImportError as error:
         raise SheetError(
-            said('{form} needs the package typst: pip install "graphic-tmm[pdf]"', form=form)
+            said("{form} needs the package typst: {remedy}", form=form, remedy=installing("[pdf]"))
         ) from error
     with TemporaryDirectory() as folder:
         home = Path(folder)
