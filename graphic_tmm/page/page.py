@@ -198,9 +198,9 @@ def page(
             data=packed(data),
             rows=carried(turned.rows) if turned is not None else "",
             style=Markup(looks),
-            style_hash=_hash(looks),
+            style_hash=policy_hash(looks),
             program=Markup(program),
-            program_hash=_hash(program),
+            program_hash=policy_hash(program),
         )
     )
 
@@ -268,5 +268,6 @@ def _rubbed(sheet: Sheet) -> Sheet:
     return sheet._replace(name="of", drawings=drawings)
 
 
-def _hash(text: str) -> str:
+def policy_hash(text: str) -> str:
+    """Return the hash by which a policy of a page allows a style or a program of it."""
     return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
