@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
 import sys
+import tomllib
 from importlib.util import find_spec
 from pathlib import Path
 from urllib.request import urlopen
@@ -162,3 +164,15 @@ def test_a_remedy_is_one_that_works_there(monkeypatch: pytest.MonkeyPatch) -> No
     assert installing("pandas") == (
         "this single file has no such package; where Python is: pip install pandas"
     )
+
+
+def test_a_release_is_made_of_what_there_is() -> None:
+    """Extras of pyproject.toml, files of the repository; of the newest version there are notes."""
+    text = (ROOT / ".github" / "workflows" / "release.yml").read_text(encoding="utf-8")
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    (extras,) = re.findall(r'-e "\.\[(.*?)\]"', text)
+    assert set(extras.split(",")) <= project["optional-dependencies"].keys()
+    files = set(re.findall(r"(?:\.ci|graphic_tmm)/[\w./-]+", text))
+    assert files == {".ci/lock.txt", ".ci/single_file.py", "graphic_tmm/CHANGES.md"}
+    assert all((ROOT / file).is_file() for file in files)
+    assert "secrets." not in text
