@@ -55,6 +55,8 @@ _IMPORT = re.compile(r'^import (?:\{[^}]*\} from )?"(\.{1,2}/[\w/-]+)\.js";\n', 
 _EXPORT = re.compile(r"^export (?=(?:async )?(?:function|const|let|class)\b)", re.M)
 _NAME = re.compile(r"^(?:export )?(?:async )?(?:function\*?|const|let|class) (\w+)", re.M)
 _INDEX = re.compile(r"_\{([^}]*)\}")
+_REMARK = re.compile(r"/\*.*?\*/", re.S)
+_BLANKS = re.compile(r"\s*([{};,])\s*|(?<=:)\s+")
 _INDENT = re.compile(r"^[ \t]+", re.M)
 _WEB: Traversable = files(__package__) / "web"
 _COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
@@ -90,11 +92,11 @@ def script(*further: str, written: str = "") -> str:
 
 @cache
 def style(*further: str) -> str:
-    """Return the page's style sheet: all of its parts in the order of their names, then the papers.
+    """Return the page's style sheet: all of its parts in the order of their names without blanks, then the papers.
 
     ``further``: folders whose parts stand behind those.
     """
-    return "\n" + "".join(_texts(".css", *further).values()) + papers()
+    return _BLANKS.sub(r"\1", _REMARK.sub("", "".join(_texts(".css", *further).values()))) + papers()
 
 
 def papers() -> str:

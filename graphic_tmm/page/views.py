@@ -34,15 +34,15 @@ def with_mechanisms(
 ) -> None:
     """Tell of each view which one shows its mechanism, and of that one where its points stand.
 
-    A view that leads its sheet shows the mechanism of its board, if it shows the position too. ``high``: of the
+    A view that leads its sheet shows the mechanism of its board, its own too, if it shows a position of the view. ``high``: of the
     sheets of the views, mm.
     """
     leading = [k for k, view in enumerate(views) if view.drawing.stand.kind == "lead"]
     for data in told:
         for k in leading:
             lead = told[k]
-            same = data is not lead and data["board"] == lead["board"]
-            if same and data["position"] and data["position"] in lead["names"].values():
+            shown = {data["position"]} if data["position"] else {*data["names"].values()}
+            if data["board"] == lead["board"] and not shown.isdisjoint(lead["names"].values()):
                 data["mechanism"] = k
                 if "joints" not in lead:
                     lead["joints"], lead["joined"] = joints(views[k], high[k])

@@ -86,7 +86,7 @@ def test_a_folder_is_entered_before_the_page_begins(web):
     lines = page.script("more").split()
     assert lines.index("tell();") < lines.index("made;") < lines.index("begin(ROOMS);")
     text = page.style("more")
-    assert text.index("margin: 0") < text.index("padding: 0")
+    assert text.index("margin:0") < text.index("padding:0")
 
 
 def test_one_name_stands_once_in_all_folders(web):

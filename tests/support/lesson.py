@@ -65,13 +65,17 @@ def walk(page: Page, language: str) -> list[Played]:
 def at_the_end(page: Page, language: str, address: str) -> dict[str, Any]:
     """Go to a view by its address and press "last"; return where its drawing stands and what it shows.
 
-    The mechanism that is shown beside a plan is switched off: it is no part of the plan.
+    The mechanism that is shown beside a plan is switched off: it is no part of the plan. What stood below the title
+    of the plan (the page says that itself, and shows its scale higher) is not seen.
     """
-    there = dict(_called(page, "atTheEnd", language, address))
+    _called(page, "atTheEnd", language, address)
     beside = page.get_by_role("checkbox", name=names(language)["mechanism"], exact=True)
     if beside.count() and beside.first.is_visible():
         beside.first.set_checked(False)
+    there = dict(_called(page, "atTheEnd", language, address))
     page.mouse.move(0, 0)  # what it stands on lights up
+    lifted = page.locator(".stage g[transform] > .label")
+    lifted.evaluate_all("(all) => all.forEach((one) => { one.style.visibility = 'hidden'; })")
     return there
 
 

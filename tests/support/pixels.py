@@ -29,7 +29,10 @@ def alone(sheets: Sequence[Sheet], file: Path) -> Path:
 
 
 def show_alone(page: Page, sheet: int, view: str, there: Mapping[str, Any]) -> None:
-    """Show one view of a sheet, by its id, in a page of `alone`, ``there``: see `lesson.at_the_end`."""
+    """Show one view of a sheet, by its id, in a page of `alone`, ``there``: see `lesson.at_the_end`.
+
+    Its title and what stands below that are not seen; titles are the widest of the letters of no mark.
+    """
     page.evaluate(
         """([number, view, { rect, box }]) => {
           const sheets = [...document.querySelectorAll("body > svg")];
@@ -38,6 +41,13 @@ def show_alone(page: Page, sheet: int, view: str, there: Mapping[str, Any]) -> N
           for (const one of sheet.querySelectorAll("g.drawing")) {
             one.style.display = one.id === view ? "" : "none";
           }
+          const own = [...sheet.getElementById(view).querySelectorAll(".label:not([data-of])")];
+          const wide = (one) => Number(one.parentElement.getAttribute("stroke-width"));
+          const most = Math.max(0.5, ...own.map(wide));
+          const low = (one) => { const at = one.getBBox(); return at.y + at.height; };
+          const title = Math.max(-Infinity, ...own.filter((one) => wide(one) === most).map(low));
+          const gone = (one) => wide(one) === most || one.getBBox().y >= title - 1;
+          for (const one of title === -Infinity ? [] : own) if (gone(one)) one.style.display = "none";
           sheet.setAttribute("viewBox", box);
           sheet.setAttribute("width", rect.width);
           sheet.setAttribute("height", rect.height);

@@ -94,11 +94,16 @@ function holds(outer, inner) {
 const PHONE = { width: 800, letters: 13 };
 
 /**
- * Keep the letters of a drawing readable on a phone whatever happens to its window.
+ * Close in on a drawing, and keep its letters readable on a phone whatever happens to its window.
  * @param {SVGElement} svg
  */
 export function keepReadable(svg) {
-  const fit = () => enlarge(svg, window.innerWidth < PHONE.width ? PHONE.letters : 0);
+  let closed = false;
+  const fit = () => {
+    if (!closed && svg.clientWidth > 0) closeIn(svg);
+    closed ||= svg.clientWidth > 0;
+    enlarge(svg, window.innerWidth < PHONE.width ? PHONE.letters : 0);
+  };
   new ResizeObserver(fit).observe(svg);
 }
 
@@ -107,16 +112,20 @@ export function keepReadable(svg) {
  * @param {SVGElement} svg
  */
 export function closeIn(svg) {
+  svg.classList.add("measured");
   const own = /** @type {NodeListOf<SVGGraphicsElement>} */ (svg.querySelectorAll(".label:not([data-of])"));
-  const titles = [...own].filter((label) => Number(label.parentElement?.getAttribute("stroke-width")) >= PLAN_TITLE);
+  const widths = [...own].map((label) => Number(label.parentElement?.getAttribute("stroke-width")));
+  const title = Math.max(PLAN_TITLE, ...widths);
+  const titles = [...own].filter((_, k) => widths[k] === title);
   if (titles.length > 0) {
-    const title = around(titles);
-    const below = [...own].filter((label) => !titles.includes(label) && label.getBBox().y >= title.y + title.height - 1);
+    const { y, height } = around(titles);
+    const below = [...own].filter((label) => !titles.includes(label) && label.getBBox().y >= y + height - 1);
     titles.forEach((label) => label.remove());
-    const up = below.length === 0 ? 0 : around(below).y - title.y;
+    const up = below.length === 0 ? 0 : around(below).y - y;
     below.forEach((label) => label.parentElement?.append(liftedLabel(label, -up)));
   }
-  const box = around([...svg.children].map((part) => /** @type {SVGGraphicsElement} */ (part)));
+  const box = around([.../** @type {NodeListOf<SVGGraphicsElement>} */ (svg.querySelectorAll(":scope > :not(.instrument)"))]);
+  svg.classList.remove("measured");
   if (box.width <= 0 && box.height <= 0) return;
   const sides = [box.x - EDGE, box.y - EDGE, box.width + 2 * EDGE, box.height + 2 * EDGE];
   svg.setAttribute("viewBox", sides.map((x) => x.toFixed(3)).join(" "));
@@ -124,8 +133,8 @@ export function closeIn(svg) {
 
 /** White about what is closed in on, mm. */
 const EDGE = 5;
-/** The width of the strokes of titles, mm. */
-const PLAN_TITLE = 0.7;
+/** The strokes of titles are the widest of a view's letters, so wide at least, mm. */
+const PLAN_TITLE = 0.5;
 
 /**
  * Return a part within a group that moves it down.

@@ -1,23 +1,26 @@
 import { drawnElement, element } from "./dom.js";
+import { coveredBy, freeSide, onScreen, placesOfInk, placesOn } from "./inset-places.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
  * @typedef {import("./types.js").View} View
  * @typedef {import("./types.js").Joint} Joint
- * @typedef {[number, number]} Spot
+ * @typedef {import("./inset-places.js").Spot} Spot
  */
 
 /** What of the ink of a mechanism says nothing of the position it stands in. */
 const LEFT_OUT = ".label, title, desc, [data-part=number], [data-part=leader], [data-part=turning], path:not([data-of])";
+/** A paper of so many px either way has a part for the mechanism, so large a share of it. */
+const LARGE_PAPER = 420;
+const ASIDE = 0.38;
+/** White about the mechanism, for its letters, as a share of it. */
+const INSET_EDGE = 0.1;
 /** Sizes that are tried, as a share of the paper; the first that hides no ink, else the place that hides least. */
 const SHARES = [0.27, 0.22, 0.17];
 /** It is at most so much larger in height than in width, as shares of the paper. */
 const UPRIGHT = 1.6;
-/** Letters: at least so many px, a share of the height of the paper; on so many sides of a point they are tried. */
+/** Letters: at least so many px, a share of the height of the paper. */
 const LETTERING = { least: 13, share: 1 / 42 };
-const SIDES = 16;
-/** Between places that are asked for their ink, mm. */
-const STRIDE = 2;
 
 /**
  * Put the mechanism in the position of a view on its paper; null if the view has none.
@@ -28,81 +31,140 @@ const STRIDE = 2;
  */
 export function insetOf(data, view, stage, paper) {
   const lead = data.views[view.mechanism ?? -1];
-  if (lead === undefined) return null;
-  const at = Object.keys(lead.names).find((k) => lead.names[k] === view.position);
-  const ink = document.getElementById(lead.id);
-  if (at === undefined || ink === null) return null;
-  const copy = /** @type {SVGGraphicsElement} */ (/** @type {unknown} */ (ink.cloneNode(true)));
-  copy.removeAttribute("id");
-  for (const part of copy.querySelectorAll(`${LEFT_OUT}, [data-at]:not([data-at="${at}"])`)) part.remove();
-  const inset = new Inset(view, lead, Number(at), copy, stage, paper);
+  const ink = document.getElementById(lead?.id ?? "");
+  paper.classList.remove("across", "down");
+  if (lead === undefined || ink === null) return null;
+  const inset = new Inset(view, lead, ink, stage, paper);
   inset.svg.setAttribute("aria-label", data.words["mechanism"] ?? "");
   return inset;
 }
 
-/** The mechanism in the position of a view that is played, small, where the drawing leaves room. */
+/**
+ * The mechanism in the position of a view that is played: in a part of the paper of its own where that is large, else
+ * small, where the drawing leaves room.
+ */
 export class Inset {
   /**
    * @param {View} view
    * @param {View} lead
-   * @param {number} at
-   * @param {SVGGraphicsElement} ink
+   * @param {Element} source
    * @param {SVGElement} stage
    * @param {HTMLElement} paper
    */
-  constructor(view, lead, at, ink, stage, paper) {
+  constructor(view, lead, source, stage, paper) {
     this.view = view;
-    this.ink = ink;
+    this.lead = lead;
+    this.source = source;
     this.stage = stage;
     this.paper = paper;
     this.joined = lead.joined ?? {};
     this.used = /** @type {Set<number>} */ (new Set());
+    this.name = "";
     this.mm = 0;
-    this.joints = (lead.joints ?? []).filter((one) => placeOfJoint(one, at).some((x) => x !== 0));
-    this.spots = new Map(this.joints.map((one) => [one[0], placeOfJoint(one, at)]));
-    this.always = new Set(this.joints.filter((one) => one[2]).map((one) => one[0]));
+    this.ink = /** @type {SVGGraphicsElement} */ (drawnElement("g", {}));
+    /** @type {Joint[]} */
+    this.joints = [];
+    /** @type {Map<number, Spot>} */
+    this.spots = new Map();
+    this.always = new Set((lead.joints ?? []).filter((one) => one[2]).map((one) => one[0]));
     this.marks = drawnElement("g", { class: "marks" });
-    this.svg = drawnElement("svg", { class: "inset", role: "img" }, ink, this.marks);
+    this.svg = drawnElement("svg", { class: view === lead ? "inset own" : "inset", role: "img" }, this.ink, this.marks);
+    this.stand(nameAt(view, view.pictures.length));
     paper.append(this.svg);
-    const watch = new ResizeObserver(() => (this.svg.isConnected ? this.fit() : watch.disconnect()));
+    const watch = new ResizeObserver((seen) => {
+      if (!this.svg.isConnected) return watch.disconnect();
+      if (seen.some((one) => one.target === paper)) this.fit();
+      this.mark();
+    });
     watch.observe(paper);
+    watch.observe(this.svg);
   }
 
   /**
-   * Light what the step of a stop takes from the mechanism.
+   * Stand in a position; nowhere if the mechanism is not drawn in it.
+   * @param {string} name
+   */
+  stand(name) {
+    if (name === this.name) return;
+    this.name = name;
+    const { lead, svg } = this;
+    const at = Object.keys(lead.names).find((k) => lead.names[k] === name);
+    svg.toggleAttribute("hidden", at === undefined);
+    if (at === undefined) return;
+    const copy = /** @type {SVGGraphicsElement} */ (/** @type {unknown} */ (this.source.cloneNode(true)));
+    copy.removeAttribute("id");
+    for (const part of copy.querySelectorAll(`${LEFT_OUT}, [data-at]:not([data-at="${at}"])`)) part.remove();
+    this.ink.replaceWith(copy);
+    this.ink = copy;
+    this.joints = (lead.joints ?? []).filter((one) => placeOfJoint(one, Number(at)).some((x) => x !== 0));
+    this.spots = new Map(this.joints.map((one) => [one[0], placeOfJoint(one, Number(at))]));
+  }
+
+  /**
+   * Stand in the position of a stop, and light what its step takes from the mechanism.
    * @param {number} n
    */
   show(n) {
     const lines = this.view.pictures[n]?.lines ?? [];
     this.used = new Set(lines.flatMap((line) => [...(line.uses ?? []), ...(line.it === undefined ? [] : [line.it])]));
+    this.stand(nameAt(this.view, n));
+    this.svg.classList.toggle("begun", n > 0);
     this.mark();
   }
 
-  /** Stand where the paper has room for it, large enough for its letters. */
+  /** Stand beside the plan on a large paper, else where there is room, large enough for the letters. */
   fit() {
-    const { svg, ink, paper } = this;
-    if (paper.clientWidth === 0) return;
-    const own = ink.getBBox();
-    const around = Math.max(own.width, own.height) * 0.07;
-    const [wide, high] = [own.width + 2 * around, own.height + 2 * around];
-    const box = [own.x - around, own.y - around, wide, high];
-    svg.setAttribute("viewBox", box.map((x) => x.toFixed(2)).join(" "));
+    const { svg, paper } = this;
+    const [across, down] = [paper.clientWidth, paper.clientHeight];
+    if (across === 0) return;
+    const box = this.box();
+    const [wide, high] = [box.width, box.height];
+    svg.setAttribute("viewBox", [box.x, box.y, wide, high].map((x) => x.toFixed(2)).join(" "));
+    const [, , planWide = 1, planHigh = 1] = (this.stage.getAttribute("viewBox") ?? "").split(" ").map(Number);
+    const sizes = [[ASIDE, 1], [1, ASIDE]].map(([x = 1, y = 1]) => {
+      const rest = [x < 1 ? 1 - x : 1, y < 1 ? 1 - y : 1];
+      const plan = Math.min(((rest[0] ?? 1) * across) / planWide, ((rest[1] ?? 1) * down) / planHigh);
+      return plan * Math.min((x * across) / wide, (y * down) / high);
+    });
+    const large = Math.min(across, down) >= LARGE_PAPER;
+    const beside = (sizes[0] ?? 0) >= (sizes[1] ?? 0);
+    paper.classList.toggle("across", large && beside);
+    paper.classList.toggle("down", large && !beside);
+    if (large) return;
     const taken = onScreen(this.stage, paper);
     const found = SHARES.flatMap((share) => {
-      const scale = Math.min((paper.clientWidth * share) / wide, (paper.clientHeight * share * UPRIGHT) / high);
+      const scale = Math.min((across * share) / wide, (down * share * UPRIGHT) / high);
       return placesOn(paper, wide * scale, high * scale);
     });
     const hidden = found.map((place) => taken.filter((spot) => coveredBy(spot, place)).length);
     const [left, top, width, height] = found[hidden.indexOf(Math.min(...hidden))] ?? [0, 0, 1, 1];
-    for (const [side, px] of Object.entries({ left, top, width, height })) svg.style.setProperty(side, `${px}px`);
-    this.mm = wide / width;
-    this.mark();
+    for (const [side, px] of Object.entries({ left, top, width, height })) svg.style.setProperty(`--${side}`, `${px}px`);
+  }
+
+  /** Return what of the sheet is shown, mm: the mechanism and white for its letters; where it moves, in all positions. */
+  box() {
+    const own = this.ink.getBBox();
+    const [xs, ys] = [[own.x, own.x + own.width], [own.y, own.y + own.height]];
+    for (const joint of this.view.position === "" ? (this.lead.joints ?? []).filter((one) => one[2]) : []) {
+      for (const at of Object.keys(this.lead.names)) {
+        const [x, y] = placeOfJoint(joint, Number(at));
+        if (x === 0 && y === 0) continue;
+        xs.push(x);
+        ys.push(y);
+      }
+    }
+    const [x, y] = [Math.min(...xs), Math.min(...ys)];
+    const [width, height] = [Math.max(...xs) - x, Math.max(...ys) - y];
+    const around = Math.max(width, height) * INSET_EDGE;
+    return { x: x - around, y: y - around, width: width + 2 * around, height: height + 2 * around };
   }
 
   /** Draw the lines and the letters over the ink. */
   mark() {
-    if (this.mm === 0) return;
-    const { spots, used } = this;
+    const { spots, used, svg } = this;
+    const [, , wide = 0, high = 0] = (svg.getAttribute("viewBox") ?? "").split(" ").map(Number);
+    if (wide === 0 || svg.clientWidth === 0) return;
+    this.mm = Math.max(wide / svg.clientWidth, high / svg.clientHeight);
     /** @type {Set<number>} */
     const named = new Set();
     const made = [];
@@ -152,81 +214,21 @@ export class Inset {
 }
 
 /**
+ * Return the name of the position in which a view is at a stop; ready it is in its main one.
+ * @param {View} view
+ * @param {number} n
+ */
+function nameAt(view, n) {
+  return view.position || (view.names[String(view.pictures[n]?.at ?? view.first)] ?? "");
+}
+
+/**
  * @param {Joint} joint
  * @param {number} at
  * @returns {Spot}
  */
 function placeOfJoint(joint, at) {
   return [Number(joint[3 + 2 * at] ?? 0), Number(joint[4 + 2 * at] ?? 0)];
-}
-
-/**
- * Return where something of a size may stand on the paper, the best first: left, top, width, height, px.
- * @param {HTMLElement} paper
- * @param {number} w
- * @param {number} h
- * @returns {[number, number, number, number][]}
- */
-function placesOn(paper, w, h) {
-  const [right, low] = [paper.clientWidth - w, paper.clientHeight - h];
-  return [0, low, low / 2].flatMap((y) => [right, 0].map((x) => /** @type {[number, number, number, number]} */ ([x, y, w, h])));
-}
-
-/**
- * @param {Spot} spot
- * @param {[number, number, number, number]} box
- */
-function coveredBy([x, y], [left, top, width, height]) {
-  return x > left && x < left + width && y > top && y < top + height;
-}
-
-/**
- * Return the place beside a point that is farthest from ink.
- * @param {Spot} spot
- * @param {number} away
- * @param {Spot[]} black
- * @returns {Spot}
- */
-function freeSide([x, y], away, black) {
-  let [best, most] = [/** @type {Spot} */ ([x, y]), -1];
-  for (let k = 0; k < SIDES; k += 1) {
-    const turn = (2 * Math.PI * k) / SIDES;
-    const [tx, ty] = [x + away * Math.cos(turn), y + away * Math.sin(turn)];
-    const free = Math.min(...black.map(([px, py]) => Math.hypot(px - tx, py - ty)));
-    if (free > most) [best, most] = [[tx, ty], free];
-  }
-  return best;
-}
-
-/**
- * Return places on the ink of a drawing, in its own millimetres.
- * @param {Element} drawing
- * @returns {Spot[]}
- */
-function placesOfInk(drawing) {
-  /** @type {Spot[]} */
-  const found = [];
-  for (const path of drawing.querySelectorAll("path")) {
-    const long = path.getTotalLength();
-    for (let at = 0; at <= long; at += STRIDE) {
-      const { x, y } = path.getPointAtLength(at);
-      found.push([x, y]);
-    }
-  }
-  return found;
-}
-
-/**
- * Return where the ink of a stage is within the paper, px.
- * @param {SVGElement} stage
- * @param {HTMLElement} paper
- * @returns {Spot[]}
- */
-function onScreen(stage, paper) {
-  const to = /** @type {SVGSVGElement} */ (stage).getScreenCTM();
-  const { left, top } = paper.getBoundingClientRect();
-  if (to === null) return [];
-  return [...stage.querySelectorAll("g.drawing")].flatMap(placesOfInk).map(([x, y]) => [x * to.a + to.e - left, y * to.d + to.f - top]);
 }
 
 /**

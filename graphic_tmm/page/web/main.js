@@ -1,4 +1,5 @@
 import { packedData } from "./data.js";
+import { turnAt } from "./dense.js";
 import { helpButton, helpPanel } from "./help.js";
 import { listenToKeys } from "./keys.js";
 import { liveRegion } from "./live.js";
@@ -27,7 +28,9 @@ function begin(data) {
   const state = new State(
     data.views,
     rooms.map(([name]) => name),
+    mainTurn(data),
   );
+  if (opened) state.place = state.within({ view: firstSight(data.views), picture: Infinity });
   root.classList.add("js");
   fillTabs(part("tabs"), state, data.words);
   for (const [name, room] of rooms) {
@@ -46,6 +49,25 @@ function begin(data) {
   if (opened && paper !== null) showPoster(data, state, paper);
   document.body.append(liveRegion(data, state));
   root.classList.add("ready");
+}
+
+/**
+ * Return the first plan that has the mechanism beside it, in its main position (index); else the first view.
+ * @param {import("./types.js").View[]} views
+ */
+function firstSight(views) {
+  return Math.max(views.findIndex((view, k) => view.main && view.mechanism !== undefined && view.mechanism !== k), 0);
+}
+
+/**
+ * Return where the crank stands in the main position, degrees.
+ * @param {Data} data
+ */
+function mainTurn({ crank, views }) {
+  const view = views.find((one) => one.main);
+  const name = view?.position || view?.names[view.first];
+  const index = crank?.positions.find(([own]) => own === name)?.[1];
+  return crank === undefined || index === undefined ? 0 : turnAt(crank, index);
 }
 
 /**

@@ -54,9 +54,9 @@ export function playRoom(data, state) {
       const table = new ValuesTable(data, view, madeIn(view));
       const steps = new StepList(data, view, (n) => state.go({ picture: n }));
       paper.replaceChildren(stage.svg);
+      keepReadable(stage.svg);
       const inset = insetOf(data, view, stage.svg, paper);
       shown = { view, stage, tools: new Tools(stage.svg, view), inset, table, list: steps };
-      keepReadable(stage.svg);
       beside.replaceChildren(table.table);
       list.replaceChildren(steps.whole);
     }
@@ -75,7 +75,8 @@ export function playRoom(data, state) {
   const panel = element("div", { class: "panel", tabindex: "0" }, said, options, list);
   const board = element("div", { class: "board" }, paper, panel);
   const bar = stepBar(data, state);
-  options.append(toolSwitch(data, board), insetSwitch(data));
+  const legend = ["takes", "draws", "rubs"].map((key) => element("span", { class: key }, data.words[key] ?? ""));
+  options.append(toolSwitch(data, board), insetSwitch(data), element("p", { class: "legend" }, ...legend));
   const room = element("section", { id: "play", "aria-label": data.words["play"] ?? "" }, chooser(data, state), board, bar);
   lightAlike(room, () => state.view);
   return room;

@@ -1,5 +1,4 @@
 import { element } from "./dom.js";
-import { toggle } from "./run.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -7,7 +6,7 @@ import { toggle } from "./run.js";
  */
 
 /**
- * Begin with the first plan as it is ready, what the page is and what to press upon it, until something is done.
+ * Stand with a plan that is ready, and beside it what the page is and what to press, until something is done.
  * @param {Data} data
  * @param {State} state
  * @param {HTMLElement} paper
@@ -15,14 +14,13 @@ import { toggle } from "./run.js";
 export function showPoster(data, state, paper) {
   if (data.views.length === 0) return;
   const say = (/** @type {string} */ key) => data.words[key] ?? key;
-  state.go({ picture: Infinity });
   const begin = element("button", { type: "button", class: "begin" }, `▶ ${say("begin")}`);
   begin.addEventListener("click", () => {
-    toggle(state);
+    state.go({ view: 0, picture: 0, running: true });
     /** @type {HTMLElement | null} */ (document.querySelector("#play .stage"))?.focus();
   });
   const card = element("div", { class: "poster" }, element("p", {}, say("welcome")), begin, element("p", {}, say("or keys")));
-  paper.append(card);
+  document.querySelector("#play .words")?.prepend(card);
   paper.classList.add("posed");
   const first = state.place;
   state.hear((place) => {
@@ -30,6 +28,6 @@ export function showPoster(data, state, paper) {
     card.remove();
     paper.classList.remove("posed");
     const onward = place.tab === first.tab && place.view === first.view && place.picture === first.picture;
-    if (onward && !place.running) state.go({ picture: 0 }); // behind the poster nothing follows: it begins
+    if (onward && !place.running) state.go({ view: 0, picture: 0 }); // behind the poster nothing follows: it begins
   });
 }

@@ -21,6 +21,10 @@ export class Stage {
     this.svg.setAttribute("data-pictures", String(pictureAt(view, view.pictures.length)));
     /** What appears in a stop, by its number. @type {Map<number, Element[]>} */
     this.parts = new Map();
+    /** What a mark has drawn, by its slot. @type {Map<number, Element[]>} */
+    this.inks = new Map();
+    /** @type {Element[]} */
+    this.taken = [];
     this.shown = Infinity;
     this.add(document.getElementById(RUBBED + view.id), true);
     this.add(document.getElementById(view.id), false);
@@ -38,9 +42,8 @@ export class Stage {
     for (const part of copy.querySelectorAll("path:not(.label path), g.label")) {
       const { of = "", at = "" } = /** @type {SVGElement} */ (part).dataset;
       const k = this.pictures.get(`${of}@${at}`) ?? 0;
-      const beside = this.parts.get(k);
-      if (beside === undefined) this.parts.set(k, [part]);
-      else beside.push(part);
+      added(this.parts, k, part);
+      if (/^\d+$/.test(of)) added(this.inks, Number(of), part);
     }
     for (const title of copy.querySelectorAll("title, desc")) title.remove();
     this.svg.append(copy);
@@ -58,6 +61,10 @@ export class Stage {
     this.svg.classList.toggle("ready", ready);
     this.svg.setAttribute("data-step", String(n));
     this.svg.setAttribute("data-picture", String(pictureAt(this.view, n)));
+    for (const part of this.taken) part.classList.remove("taken");
+    const uses = this.view.pictures[n]?.lines.flatMap((line) => line.uses ?? []) ?? [];
+    this.taken = uses.flatMap((slot) => this.inks.get(slot) ?? []);
+    for (const part of this.taken) part.classList.add("taken");
     const [from, to] = [Math.min(n, this.shown), Math.max(n, this.shown)];
     this.shown = n;
     for (const [k, parts] of this.parts) {
@@ -68,4 +75,15 @@ export class Stage {
       }
     }
   }
+}
+
+/**
+ * @param {Map<number, Element[]>} to
+ * @param {number} key
+ * @param {Element} part
+ */
+function added(to, key, part) {
+  const there = to.get(key);
+  if (there === undefined) to.set(key, [part]);
+  else there.push(part);
 }

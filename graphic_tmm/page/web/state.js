@@ -25,12 +25,14 @@ export class State {
   /**
    * @param {View[]} views
    * @param {string[]} tabs
+   * @param {number} [turn] where the crank stands if nobody says, degrees
    */
-  constructor(views, tabs) {
+  constructor(views, tabs, turn = 0) {
     this.views = views;
     this.tabs = tabs;
+    this.rest = turn;
     /** @type {Place} */
-    this.place = { tab: tabs[0] ?? "play", view: 0, picture: 0, turn: 0, running: false };
+    this.place = { tab: tabs[0] ?? "play", view: 0, picture: 0, turn, running: false };
     /** @type {((place: Place, before: Place) => void)[]} */
     this.told = [];
     this.timer = 0;
@@ -127,7 +129,7 @@ export class State {
     const tab = this.place.tab === this.tabs[0] ? "" : `${this.place.tab}:`;
     if (view === undefined) return `#${tab}`;
     const parts = [view.plan, view.position || WHOLE, this.place.picture];
-    const turn = this.place.turn === 0 ? "" : `@${Number(this.place.turn.toFixed(2))}`;
+    const turn = this.place.turn === this.rest ? "" : `@${Number(this.place.turn.toFixed(2))}`;
     return `#${tab}${parts.map((part) => encodeURIComponent(String(part))).join("/")}${turn}`;
   }
 

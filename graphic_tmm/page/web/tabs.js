@@ -35,6 +35,7 @@ export function fillTabs(list, state, words) {
       tabs[k]?.setAttribute("aria-selected", String(chosen));
       tabs[k]?.setAttribute("tabindex", chosen ? "0" : "-1");
       showRoom(name, chosen);
+      if (chosen && list.scrollWidth > list.clientWidth) tabs[k]?.scrollIntoView({ block: "nearest", inline: "center" });
     });
     document.documentElement.dataset["tab"] = place.tab;
   });

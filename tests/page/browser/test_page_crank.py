@@ -35,7 +35,7 @@ INK = """(title) => [...[...document.querySelectorAll("#crank .card svg")]
 """The ink of a figure that moves, by its title."""
 
 
-def _crank(page_of: Begin, name: str = NAME, turn: str = "", **options: Any) -> Any:
+def _crank(page_of: Begin, name: str = NAME, turn: str = "@0", **options: Any) -> Any:
     tab = page_of(name, address=f"#crank:{turn}", **options)
     tab.page.wait_for_selector("#crank[data-ready]")
     return tab.page

@@ -178,7 +178,9 @@ def test_the_mechanism_stands_beside_its_plan(play) -> None:
     assert inset.locator("text.used").all_text_contents() == ["O", "A"]
     assert inset.locator("path.used").count() == 1
     inset_box, paper = inset.bounding_box(), room.locator("div.paper").bounding_box()
-    assert inset_box["width"] <= 0.3 * paper["width"]
+    stage = room.locator(".stage").bounding_box()
+    assert inset_box["width"] >= 0.3 * paper["width"]
+    assert inset_box["x"] + inset_box["width"] <= stage["x"] + 1
     room.get_by_role("checkbox", name="Mechanism").uncheck()
     assert not inset.is_visible()
 
@@ -190,5 +192,44 @@ def test_a_plan_of_accelerations_has_the_mechanism_in_its_own_position(play) -> 
     assert set(places) == {"6"}
 
 
-def test_the_plan_of_positions_stands_alone(play) -> None:
-    assert play(9, plan="#positions/all/").locator(".inset").count() == 0
+PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True}
+
+
+def places(room: Any) -> set[str]:
+    return {*room.locator(".inset path[data-at]").evaluate_all("all => all.map(p => p.dataset.at)")}
+
+
+def test_the_plan_of_positions_begins_with_its_mechanism(play) -> None:
+    """Where the paper is small, until the first step; beside the plan it goes through the positions."""
+    room = play(0, plan="#positions/all/", **PHONE)
+    inset, paper = room.locator(".inset"), room.locator("div.paper").bounding_box()
+    assert inset.bounding_box()["width"] >= 0.9 * paper["width"]
+    room.get_by_role("button", name="Next step").click()
+    assert not inset.is_visible()
+    room = play(0, plan="#positions/all/")
+    assert places(room) == {"2"}
+    room.page.keyboard.press("End")
+    room.page.keyboard.press("ArrowLeft")
+    while "same in position" not in room.locator(".telling").inner_text():
+        room.page.keyboard.press("ArrowLeft")
+    assert places(room) not in ({"2"}, set())
+
+
+def test_first_sight_is_the_mechanism_and_a_plan_that_is_ready(page_of) -> None:
+    page = page_of("windrower", "en").page
+    assert page.locator("#play .inset").is_visible()
+    assert page.locator("#play .places option:checked").text_content() == "2"
+    page = page_of("windrower", "en", **PHONE).page
+    inset, paper = page.locator("#play .inset"), page.locator("#play div.paper").bounding_box()
+    assert inset.bounding_box()["width"] >= 0.9 * paper["width"]
+
+
+def test_what_a_step_takes_is_seen_on_the_plan(play) -> None:
+    room = play(MEETING)
+    taken = room.locator(".stage path.taken:not(.label path)")
+    assert taken.count() >= 2
+    colours = "(all) => [...new Set(all.map((one) => getComputedStyle(one).stroke))]"
+    new = room.locator(".stage .label.now path")
+    assert taken.evaluate_all(colours) != new.evaluate_all(colours)
+    room.page.keyboard.press("End")
+    assert taken.count() == 0

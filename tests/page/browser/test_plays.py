@@ -28,8 +28,8 @@ NUMBERED = re.compile(r"^\s*\d+(–\d+)?\. ")
 MEASURED = re.compile(r"(?P<segment>\S+) = (?P<mm>−?[\d.,]+) (?:мм|mm)")
 AT = re.compile(r", (?:положение|position) (\S+)$")
 VALUES = re.compile(r"(?:Значения, положение|Values, position) (\S+)")
-FAINT = 64
-"""Where two pictures differ by no more than this of 255, their lines are smoothed otherwise, no more."""
+FAINT = 80
+"""Where two pictures differ by no more than this of 255, their lines are smoothed otherwise, no more (67 was met)."""
 
 EDGE = 4
 """So many px around the drawing of a page may be its frame."""
