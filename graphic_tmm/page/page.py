@@ -92,11 +92,12 @@ def script(*further: str, written: str = "") -> str:
 
 @cache
 def style(*further: str) -> str:
-    """Return the page's style sheet: all of its parts in the order of their names without blanks, then the papers.
+    """Return the page's style sheet: its parts in the order of their names, without blanks, then the papers.
 
     ``further``: folders whose parts stand behind those.
     """
-    return _BLANKS.sub(r"\1", _REMARK.sub("", "".join(_texts(".css", *further).values()))) + papers()
+    bare = _REMARK.sub("", "".join(_texts(".css", *further).values()))
+    return _BLANKS.sub(r"\1", bare).replace(";}", "}") + papers()
 
 
 def papers() -> str:

@@ -34,8 +34,8 @@ def with_mechanisms(
 ) -> None:
     """Tell of each view which one shows its mechanism, and of that one where its points stand.
 
-    A view that leads its sheet shows the mechanism of its board, its own too, if it shows a position of the view. ``high``: of the
-    sheets of the views, mm.
+    A view that leads its sheet shows the mechanism of its board, to itself too, if it shows a position of the
+    view. ``high``: of the sheets of the views, mm.
     """
     leading = [k for k, view in enumerate(views) if view.drawing.stand.kind == "lead"]
     for data in told:

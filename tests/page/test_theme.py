@@ -43,7 +43,7 @@ def test_what_is_read_stands_out(theme):
     found = colours(theme)
     pale = {
         (ink, on): round(contrast(found[ink], found[on]), 2)
-        for ink in ("ink", "text", "new", "tool", "lit")
+        for ink in ("ink", "text", "new", "tool", "lit", "rubbed")
         for on in ("paper", "ground")
         if contrast(found[ink], found[on]) < LEAST
     }

@@ -65,8 +65,8 @@ def walk(page: Page, language: str) -> list[Played]:
 def at_the_end(page: Page, language: str, address: str) -> dict[str, Any]:
     """Go to a view by its address and press "last"; return where its drawing stands and what it shows.
 
-    The mechanism that is shown beside a plan is switched off: it is no part of the plan. What stood below the title
-    of the plan (the page says that itself, and shows its scale higher) is not seen.
+    The mechanism that is shown beside a plan is switched off: it is no part of the plan. What stands below the
+    title of the plan (the page says that itself, and shows its scale higher) is not seen.
     """
     _called(page, "atTheEnd", language, address)
     beside = page.get_by_role("checkbox", name=names(language)["mechanism"], exact=True)

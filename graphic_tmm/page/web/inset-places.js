@@ -1,5 +1,8 @@
 /** @typedef {[number, number]} Spot */
 
+/** A paper of so many px either way has a part for the mechanism, so large a share of it. */
+const LARGE_PAPER = 420;
+const ASIDE = 0.38;
 /** It keeps so far from the edges of the paper, that its letters have room, px. */
 const CLEAR_EDGE = 10;
 /** On so many sides of a point its letter is tried. */
@@ -74,4 +77,21 @@ export function onScreen(stage, paper) {
   const { left, top } = paper.getBoundingClientRect();
   if (to === null) return [];
   return [...stage.querySelectorAll("g.drawing")].flatMap(placesOfInk).map(([x, y]) => [x * to.a + to.e - left, y * to.d + to.f - top]);
+}
+
+/**
+ * Divide a large paper between mechanism and plan, where both are largest; return whether it is divided.
+ * @param {HTMLElement} paper
+ * @param {[number, number]} own width and height of the mechanism, mm
+ * @param {[number, number]} plan
+ */
+export function divided(paper, own, plan) {
+  const [wide, high] = [paper.clientWidth, paper.clientHeight];
+  const scale = (/** @type {number} */ w, /** @type {number} */ h, /** @type {[number, number]} */ of) => Math.min(w / of[0], h / of[1]);
+  const across = scale(ASIDE * wide, high, own) * scale((1 - ASIDE) * wide, high, plan);
+  const down = scale(wide, ASIDE * high, own) * scale(wide, (1 - ASIDE) * high, plan);
+  const large = Math.min(wide, high) >= LARGE_PAPER;
+  paper.classList.toggle("across", large && across >= down);
+  paper.classList.toggle("down", large && across < down);
+  return large;
 }

@@ -1,5 +1,5 @@
 import { drawnElement, element } from "./dom.js";
-import { coveredBy, freeSide, onScreen, placesOfInk, placesOn } from "./inset-places.js";
+import { coveredBy, divided, freeSide, onScreen, placesOfInk, placesOn } from "./inset-places.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -10,9 +10,6 @@ import { coveredBy, freeSide, onScreen, placesOfInk, placesOn } from "./inset-pl
 
 /** What of the ink of a mechanism says nothing of the position it stands in. */
 const LEFT_OUT = ".label, title, desc, [data-part=number], [data-part=leader], [data-part=turning], path:not([data-of])";
-/** A paper of so many px either way has a part for the mechanism, so large a share of it. */
-const LARGE_PAPER = 420;
-const ASIDE = 0.38;
 /** White about the mechanism, for its letters, as a share of it. */
 const INSET_EDGE = 0.1;
 /** Sizes that are tried, as a share of the paper; the first that hides no ink, else the place that hides least. */
@@ -121,16 +118,7 @@ export class Inset {
     const [wide, high] = [box.width, box.height];
     svg.setAttribute("viewBox", [box.x, box.y, wide, high].map((x) => x.toFixed(2)).join(" "));
     const [, , planWide = 1, planHigh = 1] = (this.stage.getAttribute("viewBox") ?? "").split(" ").map(Number);
-    const sizes = [[ASIDE, 1], [1, ASIDE]].map(([x = 1, y = 1]) => {
-      const rest = [x < 1 ? 1 - x : 1, y < 1 ? 1 - y : 1];
-      const plan = Math.min(((rest[0] ?? 1) * across) / planWide, ((rest[1] ?? 1) * down) / planHigh);
-      return plan * Math.min((x * across) / wide, (y * down) / high);
-    });
-    const large = Math.min(across, down) >= LARGE_PAPER;
-    const beside = (sizes[0] ?? 0) >= (sizes[1] ?? 0);
-    paper.classList.toggle("across", large && beside);
-    paper.classList.toggle("down", large && !beside);
-    if (large) return;
+    if (divided(paper, [wide, high], [planWide, planHigh])) return;
     const taken = onScreen(this.stage, paper);
     const found = SHARES.flatMap((share) => {
       const scale = Math.min((across * share) / wide, (down * share * UPRIGHT) / high);

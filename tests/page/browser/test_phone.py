@@ -100,3 +100,21 @@ def test_the_table_tells_what_was_read(file: Path, opened: Any) -> None:
     assert counts[0] == 0
     assert len(set(counts)) > 2
     assert max(counts) <= whole
+
+
+def test_practice_says_its_task_first_and_shows_its_mechanism(file: Path, opened: Any) -> None:
+    page = shown(opened, file, "#practice:velocities", 1280, 800)
+    goal, palette = (
+        page.locator(f"#practice .{name}").bounding_box() for name in ("goal", "palette")
+    )
+    assert goal["y"] + goal["height"] <= palette["y"] + 1
+    beside, sketch = (
+        page.locator(f"#practice .{name}").bounding_box() for name in ("beside", "sketch")
+    )
+    assert beside["width"] * beside["height"] > 0.3 * sketch["width"] * sketch["height"]
+    apart = beside["x"] + beside["width"] <= sketch["x"] + 1
+    assert apart or beside["y"] + beside["height"] <= sketch["y"] + 1
+    page = shown(opened, file, "#practice:positions", 1280, 800)
+    assert page.locator("#practice .inset").is_visible()
+    page = shown(opened, file, "#practice:positions", 390, 844)
+    assert not page.locator("#practice .inset").is_visible()

@@ -29,7 +29,7 @@ MEASURED = re.compile(r"(?P<segment>\S+) = (?P<mm>−?[\d.,]+) (?:мм|mm)")
 AT = re.compile(r", (?:положение|position) (\S+)$")
 VALUES = re.compile(r"(?:Значения, положение|Values, position) (\S+)")
 FAINT = 80
-"""Where two pictures differ by no more than this of 255, their lines are smoothed otherwise, no more (67 was met)."""
+"""Where two pictures differ by no more than this of 255, their lines are smoothed otherwise (67 was met)."""
 
 EDGE = 4
 """So many px around the drawing of a page may be its frame."""

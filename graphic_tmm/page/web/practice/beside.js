@@ -1,4 +1,5 @@
 import { drawnElement } from "../dom.js";
+import { divided } from "../inset-places.js";
 import { distance, frameOf, mmText, pieceIn } from "./figures.js";
 import { markInk, lettersOf } from "./ink.js";
 import { kinematicOf } from "./kinematic.js";
@@ -15,7 +16,7 @@ import { meantAt } from "./shapes.js";
 /** How near a pointer has to come to a part of the mechanism, px. */
 const NEAR = 16;
 /** White about the mechanism, as a share of it and at least, mm. */
-const BESIDE_ROOM = 0.14;
+const BESIDE_ROOM = 0.2;
 const BESIDE_LEAST = 4;
 
 /** Corners, the best first: right, low. @type {[number, number][]} */
@@ -108,6 +109,9 @@ export class Beside {
     const paper = this.svg.parentElement?.getBoundingClientRect();
     const own = this.svg.getBoundingClientRect();
     if (paper === undefined || own.width === 0) return [1, 0];
+    const [x0, y0, x1, y1] = this.frame;
+    const parent = /** @type {HTMLElement} */ (this.svg.parentElement);
+    if (divided(parent, [x1 - x0, y1 - y0], [right - left, high - low])) return [0, 0];
     const mm = Math.max((right - left) / paper.width, (high - low) / paper.height);
     const [x, y] = [(left + right) / 2, (low + high) / 2];
     const hidden = CORNERS.map(([a, b]) =>

@@ -51,7 +51,7 @@ export class Panel {
       this.readings,
       this.anew,
     );
-    this.body = element("div", { class: "panel", tabindex: "0" }, this.goal, step, told, this.tally.whole, files);
+    this.body = element("div", { class: "panel", tabindex: "0" }, step, told, this.tally.whole, files);
   }
 
   /**

@@ -44,7 +44,7 @@ export class Paper {
     this.shown = null;
     this.mm = 1;
     this.listen();
-    new ResizeObserver(() => this.draw()).observe(this.whole);
+    new ResizeObserver(() => this.draw()).observe(this.svg);
   }
 
   /** @param {Shown} shown */
@@ -55,10 +55,10 @@ export class Paper {
 
   draw() {
     const shown = this.shown;
-    const { clientWidth, clientHeight } = this.whole;
-    if (shown === null || clientWidth === 0 || clientHeight === 0) return;
+    const { width, height } = this.svg.getBoundingClientRect();
+    if (shown === null || width === 0 || height === 0) return;
     const [left, low, right, high] = shown.frame;
-    this.mm = Math.max((right - left) / clientWidth, (high - low) / clientHeight);
+    this.mm = Math.max((right - left) / width, (high - low) / height);
     this.svg.setAttribute("viewBox", [left, -high, right - left, high - low].map(mmText).join(" "));
     this.svg.style.setProperty("--mm", `${this.mm}px`);
     const ruler = shown.ruler;

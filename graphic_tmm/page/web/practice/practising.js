@@ -2,6 +2,7 @@ import { element, typeset } from "../dom.js";
 import { actsOf } from "./acts.js";
 import { beginningOf, rulerFor } from "./aids.js";
 import { GRAIN } from "./aim.js";
+import { insetOf } from "../inset.js";
 import { Beside } from "./beside.js";
 import { menuOf } from "./choices.js";
 import { Panel } from "./panel.js";
@@ -42,6 +43,8 @@ export class Practising {
     this.beside = new Beside(say("mechanism"), (slots, at) => this.meant(slots, at));
     this.menu = element("div", { class: "meant", role: "group", "aria-label": say("meant"), hidden: "" });
     this.paper.whole.append(this.beside.svg, this.menu);
+    /** The mechanism that is to be drawn, where it is the task. @type {ReturnType<typeof insetOf>} */
+    this.scheme = null;
   }
 
   get session() {
@@ -63,7 +66,12 @@ export class Practising {
   go(n) {
     this.n = n;
     if (!this.sessions.has(n)) this.sessions.set(n, new Session(this.data, n));
+    this.scheme?.svg.remove();
+    this.paper.whole.classList.remove("across", "down");
     this.beside.begin(this.easel, this.session.mechanism);
+    const lead = this.session.mechanism === undefined ? this.data.views.find((view) => view.joints !== undefined) : undefined;
+    this.scheme = lead === undefined ? null : insetOf(this.data, lead, this.paper.svg, this.paper.whole);
+    this.scheme?.svg.classList.add("begun");
     this.panel.goal.replaceChildren(...typeset(this.session.told.goal));
     this.aim = null;
     this.now = -1;

@@ -61,7 +61,7 @@ function fillPractice(room, data, practice, state) {
     if (found !== null && (found.view !== state.place.view || (found.picture ?? state.place.picture) !== state.place.picture)) state.go(found);
   });
   const chooser = taskChooser(practice, say, (n) => work.go(n));
-  room.append(chooser.whole, work.paper.whole, work.panel.palette.whole, work.panel.body);
+  room.append(chooser.whole, work.paper.whole, work.panel.goal, work.panel.palette.whole, work.panel.body);
   lightAlike(room, () => state.view);
   return work;
 }
