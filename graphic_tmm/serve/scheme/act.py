@@ -29,7 +29,7 @@ from graphic_tmm.scene.renamed import exchanged, relettered
 from graphic_tmm.serve.edit import Missing, edited, new_faults
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.scheme.fields import scheme_fields
-from graphic_tmm.serve.scheme.sections import added, offered
+from graphic_tmm.serve.scheme.sections import offered, with_section
 from graphic_tmm.serve.scheme.sketches import (
     Sketch,
     is_length,
@@ -39,7 +39,7 @@ from graphic_tmm.serve.scheme.sketches import (
     sketch_of,
 )
 from graphic_tmm.serve.scheme.standing import Standing, standing_of
-from graphic_tmm.serve.scheme.written import bare, origin_of, written
+from graphic_tmm.serve.scheme.written import origin_of, positions_scene, scene_text
 
 MOST_PLACES = 720
 """So many places of a turn are told at the most."""
@@ -90,10 +90,10 @@ def scheme(
             shift = origin_of(stands)
             sketch = shifted(sketch, shift)
             stands = standing_of(sketch, doc)
-        text = written(text, doc, stands, file)
+        text = scene_text(text, doc, stands, file)
         asked = asked._replace(at=stands.at)
     if asked.section:
-        text = added(text, asked.section, asked.typed, file, speech)
+        text = with_section(text, asked.section, asked.typed, file, speech)
     elif asked.typed:
         text = edited(text.encode(), asked.typed, file).decode()
     found = _drawn(text, asked, file, speech)
@@ -167,7 +167,7 @@ def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str,
     """Return a scene as it is drawn."""
     data = text.encode()
     _, doc = parsed(data, file)
-    scene = bare(doc)
+    scene = positions_scene(doc)
     assert scene.mechanism is not None
     of = recorded(scene, PLANS, exact=True)
     at = asked.at

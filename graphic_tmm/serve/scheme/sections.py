@@ -65,7 +65,7 @@ def _key(name: str, field: Field, example: str, speech: Speech) -> dict[str, Any
     }
 
 
-def added(text: str, name: str, typed: Mapping[str, str], file: File, speech: Speech) -> str:
+def with_section(text: str, name: str, typed: Mapping[str, str], file: File, speech: Speech) -> str:
     """Return a scene's text with one more section, its values as they were typed; empty ones are left out.
 
     Raises

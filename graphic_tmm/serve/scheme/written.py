@@ -30,14 +30,14 @@ BARE = ("task", "lengths", "frame", "joints", "link", "drive")
 """The sections that say where everything lies."""
 
 
-def written(text: str, doc: Document, stands: Standing, file: File) -> str:
+def scene_text(text: str, doc: Document, stands: Standing, file: File) -> str:
     """Return the text of a scene whose mechanism lies so: new where there was none."""
     lies, driven, at = stands.lies, stands.driven, stands.at
     assert lies is not None
     assert driven is not None
     assert at is not None
     size = _size(lies)
-    before = bare(doc).mechanism if text else None
+    before = positions_scene(doc).mechanism if text else None
     found = built(lies, at if driven.pair.kind == "R" else 0.0, before)
     mechanism = found.mechanism
     for name, doubt in found.doubt.items():
@@ -104,7 +104,7 @@ def _way(doc: Document, at: float, size: float) -> Mapping[str, str]:
     return {"from": f"{low} mm", "to": f"{high} mm"}
 
 
-def bare(doc: Document) -> Scene:
+def positions_scene(doc: Document) -> Scene:
     """Return a scene with nothing in it but what says where everything lies."""
     kept = {
         key: one for key, one in doc.items() if key in BARE or not isinstance(one, (dict, list))
