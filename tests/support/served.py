@@ -21,7 +21,7 @@ from graphic_tmm.serve.worker import Worker
 from support.gallery import SHEETS
 
 TOKEN = "a-token-that-nobody-guesses"
-PATIENCE = 15.0
+PATIENCE = 120.0
 HOST = "127.0.0.1:8000"
 SMALL = """title = "Small"
 language = "en"
