@@ -98,16 +98,16 @@ def test_a_new_scene_has_a_folder_that_its_title_names(tmp_path: Path) -> None:
     assert {one.name for one in tmp_path.iterdir()} == {*names, "slotting-machine-2"}
 
 
-@pytest.mark.parametrize("place", ["shaper", "alone"])
+@pytest.mark.parametrize("place", ["package", "alone"])
 def test_nothing_is_put_into_what_stays_as_it_is(place: str, tmp_path: Path) -> None:
-    folder = SHEETS if place == "shaper" else small(tmp_path)
+    folder = SHEETS if place == "package" else small(tmp_path)
     before = sorted(folder.parent.iterdir())
 
     async def serving() -> None:
         async with opened(folder, drawing=False) as (browser, _):
             assert (await post(browser, "/new", text=SMALL, title="x")).status == 403
             assert (await browser.ask("/draw")).status == 404
-            if place == "shaper":
+            if place == "package":
                 first = (await post(browser, "/s/crank-rocker/scheme")).json()
                 sketch = {**first["sketch"], "places": {**first["sketch"]["places"], "E": [0, 0.1]}}
                 act = {"version": first["version"], "text": first["text"], "sketch": sketch}
@@ -115,5 +115,5 @@ def test_nothing_is_put_into_what_stays_as_it_is(place: str, tmp_path: Path) -> 
 
     run(serving)
     assert sorted(folder.parent.iterdir()) == before
-    if place == "shaper":
+    if place == "package":
         assert "E = [0, 0.1]" not in (SHEETS / "crank-rocker/scene.toml").read_text("utf-8")
