@@ -181,3 +181,22 @@ def test_a_scene_that_is_there_is_drawn_on(scene: Path, tab_of: Callable[..., Ta
     hand.length("AB", "0.32 m")
     tab.told("Drawn as the file says.")
     assert scene.read_text("utf-8") == SMALL.replace('"0.3 m"', '"0.32 m"')
+
+
+def test_a_pin_dropped_on_another_is_joined_with_it(
+    gallery: str, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    hand.drag((250, 250), (300, 320))
+    hand.take("support")
+    hand.drag((290, 240), (520, 160))  # begins near the crank's pin, and not on it
+    hand.says("W = 4")
+    hand.click((290, 240))
+    tab.page.mouse.move(hand.box["x"] + 290, hand.box["y"] + 240)
+    tab.page.mouse.down()
+    tab.page.mouse.move(hand.box["x"] + 260, hand.box["y"] + 248)
+    assert "joined with A" in tab.page.locator(".scheme-paper .says").text_content()
+    tab.page.mouse.up()
+    hand.says("W = 2")
+    assert tab.page.locator(".scheme-paper .pin").count() == 3

@@ -1,10 +1,10 @@
 import { relettered } from "./changes.js";
+import { letterAt } from "./joining.js";
 import {
   bodiesAt,
   bodyOf,
   frameOf,
   freeGuide,
-  freeLetter,
   freeNumber,
   minus,
   placeOf,
@@ -34,34 +34,6 @@ const FIRST = ["A", "B"];
  */
 function copyOf(sketch) {
   return structuredClone(sketch);
-}
-
-/**
- * Return the letter of what is meant, put there if it has none.
- * @param {Sketch} sketch that is changed
- * @param {Target} target
- */
-function letterAt(sketch, target) {
-  if ("letter" in target) return target.letter;
-  const letter = freeLetter(sketch);
-  sketch.places[letter] = target.place;
-  if ("bar" in target) insert(sketch, target.bar, letter);
-  return letter;
-}
-
-/**
- * Put a letter on a bar, between its ends.
- * @param {Sketch} sketch that is changed
- * @param {Bar} bar
- * @param {string} letter
- */
-function insert(sketch, { number, ends }, letter) {
-  const body = bodyOf(sketch, number);
-  if (body === undefined) return;
-  const at = body.points.indexOf(ends[1]);
-  const straight = body.points.length === 2;
-  if (straight || at < 0) body.points.push(letter);
-  else body.points.splice(at === 0 ? body.points.length : at, 0, letter);
 }
 
 /**

@@ -1,3 +1,4 @@
+import { moved } from "./changes.js";
 import { removeChosen, renameLetter, renameLink } from "./editor-acts.js";
 import { letterOf } from "./letters.js";
 import { placeOf } from "./sketch.js";
@@ -64,5 +65,5 @@ function nudge(editor, event) {
   const [x, y] = { ArrowLeft: [-by, 0], ArrowRight: [by, 0], ArrowUp: [0, by], ArrowDown: [0, -by] }[event.key] ?? [0, 0];
   if (letter === undefined || x === undefined || y === undefined) return;
   const place = placeOf(editor.sketch, letter);
-  editor.move(letter, [place[0] + x, place[1] + y]);
+  editor.act(moved(editor.sketch, letter, [place[0] + x, place[1] + y]));
 }

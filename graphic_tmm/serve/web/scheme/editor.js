@@ -1,5 +1,4 @@
 import { element } from "../../../page/web/dom.js";
-import * as changes from "./changes.js";
 import { keyed } from "./editor-keys.js";
 import { History } from "./history.js";
 import { Hand } from "./hand.js";
@@ -14,7 +13,6 @@ import { Turning } from "./turning.js";
  * The scheme of a mechanism, drawn by a hand. The scene is what counts: every act goes to the server, and what is
  * shown then is where the log puts it.
  *
- * @typedef {import("./sketch.js").Place} Place
  * @typedef {import("./sketch.js").Sketch} Sketch
  * @typedef {import("./signs.js").Chosen} Chosen
  * @typedef {import("../types.js").Words} Words
@@ -176,11 +174,11 @@ export class Editor {
   }
 
   back() {
-    if (this.waiting === 0) this.restore(this.history.back(this.moment));
+    this.queue = this.queue.then(() => this.restore(this.history.back(this.moment)));
   }
 
   forth() {
-    if (this.waiting === 0) this.restore(this.history.forth(this.moment));
+    this.queue = this.queue.then(() => this.restore(this.history.forth(this.moment)));
   }
 
   /** @param {Moment | null} moment */
@@ -197,15 +195,5 @@ export class Editor {
   cancel() {
     this.hand.cancel();
     this.choose({});
-  }
-
-  /**
-   * Move a pin; null: it stays chosen.
-   * @param {string} letter
-   * @param {Place | null} place
-   */
-  move(letter, place) {
-    if (place === null) return this.changed();
-    this.act(changes.moved(this.sketch, letter, place));
   }
 }

@@ -1,5 +1,6 @@
 import * as acts from "./acts.js";
 import { moved } from "./changes.js";
+import { joined } from "./joining.js";
 import { apart, bodiesAt, frameOf, minus, placeOf } from "./sketch.js";
 import { DEGREES } from "./snap.js";
 import { drivenBy, targetOf, TOOL_ACTS } from "./tool-acts.js";
@@ -88,7 +89,7 @@ export class Hand {
       const there = moved(sketch, this.moving, meant.place);
       paper.sketch = there;
       paper.draw();
-      paper.stretch({ from: null, to: { ...meant, place: placeOf(there, this.moving) }, says: this.lengths(there, this.moving) });
+      paper.stretch({ from: null, to: { ...meant, place: placeOf(there, this.moving) }, says: this.joins(meant) || this.lengths(there, this.moving) });
       return;
     }
     paper.stretch({ from, to: meant, says: this.says(meant, from) });
@@ -106,16 +107,18 @@ export class Hand {
    * @param {Place | null} from
    */
   says(meant, from) {
-    const { editor } = this;
     if (this.tool === "slider" && from !== null) return `${this.angle(from, meant.place)}°`;
-    const joins =
-      meant.letter !== undefined
-        ? editor.say("scheme joined", { letter: meant.letter })
-        : meant.bar !== undefined
-          ? editor.say("scheme on link", { number: meant.bar.number })
-          : "";
     const long = from === null ? 0 : Math.round(1000 * apart(from, meant.place));
-    return [long > 0 ? `${long} ${editor.say("mm")}` : "", joins].filter(Boolean).join(" · ");
+    return [long > 0 ? `${long} ${this.editor.say("mm")}` : "", this.joins(meant)].filter(Boolean).join(" · ");
+  }
+
+  /**
+   * What will be joined.
+   * @param {Meant} meant
+   */
+  joins({ letter, bar }) {
+    if (letter !== undefined) return this.editor.say("scheme joined", { letter });
+    return bar === undefined ? "" : this.editor.say("scheme on link", { number: bar.number });
   }
 
   /**
@@ -151,9 +154,23 @@ export class Hand {
     this.editor.paper.stretch({ from: null, to: null, says: "" });
     const angle = from === null || (!drawn && apart(from, meant.place) === 0) ? 0 : this.angle(from, meant.place);
     if (tool !== "") this.use(tool, { begun, meant, drawn, angle, pin });
-    else if (moving !== "") this.editor.move(moving, drawn ? meant.place : null);
+    else if (moving !== "") this.move(moving, drawn ? meant : null);
     else if (drawn) this.link(begun, meant);
     else this.choose(meant);
+  }
+
+  /**
+   * Move a pin, onto another or a bar if it was dropped there; null: it stays chosen.
+   * @param {string} letter
+   * @param {Meant | null} meant
+   */
+  move(letter, meant) {
+    const { editor } = this;
+    if (meant === null) return editor.changed();
+    if (meant.letter === undefined && meant.bar === undefined) return editor.act(moved(editor.sketch, letter, meant.place));
+    const made = joined(editor.sketch, letter, targetOf(meant));
+    if (made === null) editor.changed();
+    editor.act(made, { letter: meant.letter ?? letter });
   }
 
   /** @param {Meant} meant */

@@ -35,7 +35,7 @@ export function meant(sketch, view, spot, { except, from, free = false, coarse =
   const reach = coarse ? 1.5 : 1;
   const letter = pinAt(sketch, view, spot, NEAR_PIN * reach, except);
   if (letter !== null) return { place: placeOf(sketch, letter), letter, lines: [] };
-  const bar = except === undefined ? barAt(sketch, view, spot, NEAR_BAR * reach) : null;
+  const bar = barAt(sketch, view, spot, NEAR_BAR * reach, except);
   if (bar !== null) return { place: onBar(sketch, bar, view.place(spot)), bar, lines: [] };
   const raw = view.place(spot);
   return free ? { place: raw, lines: [] } : inLine(sketch, view, spot, raw, from, except);
@@ -63,12 +63,13 @@ export function pinAt(sketch, view, spot, reach, except) {
  * @param {View} view
  * @param {Dots} spot
  * @param {number} reach
+ * @param {string} [except] a pin whose own bars are not meant
  * @returns {Bar | null}
  */
-export function barAt(sketch, view, spot, reach) {
+export function barAt(sketch, view, spot, reach, except) {
   let best = null;
   let near = reach;
-  for (const bar of movingOf(sketch).flatMap((one) => barsOf(sketch, one))) {
+  for (const bar of movingOf(sketch).flatMap((one) => (one.points.includes(except ?? "") ? [] : barsOf(sketch, one)))) {
     const [a, b] = /** @type {[Dots, Dots]} */ (bar.ends.map((one) => view.dots(placeOf(sketch, one))));
     const long = apart(a, b);
     const foot = footOf({ through: a, way: unit(minus(b, a)) }, spot);
