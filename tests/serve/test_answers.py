@@ -9,6 +9,7 @@ import os
 import stat
 import zipfile
 from pathlib import Path
+from queue import SimpleQueue
 from typing import Any
 
 import pytest
@@ -135,3 +136,16 @@ def test_what_cannot_be_served_is_told(tmp_path: Path) -> None:
         assert done.exit_code == 2
         assert done.stderr.count("\n") == 1
     assert os.listdir(tmp_path) == []
+
+
+def test_the_address_is_opened_in_a_browser_where_that_is_asked(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    address, shown = "http://127.0.0.1:1/token/", SimpleQueue[str]()
+    monkeypatch.setattr(extra, "served", lambda *given, tell, **others: tell(address))
+    monkeypatch.setattr("webbrowser.open", shown.put)
+    assert invoke("serve", "-l", "en").stdout == f"{address}\n"
+    done = invoke("serve", "--browser", "-l", "en")
+    assert (done.stdout, "Ctrl-C" in done.stderr) == (f"{address}\n", True)
+    assert shown.get(timeout=60) == address
+    assert shown.empty()
