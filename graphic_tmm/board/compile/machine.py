@@ -24,7 +24,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from graphic_tmm.board.compile.llvm import MAY_CALL, NAME
-from graphic_tmm.errors import ConstructionError
+from graphic_tmm.errors import ConstructionError, installing
 
 VARIABLE = "GRAPHIC_TMM_CACHE"
 """The variable of the environment that names another folder; empty: nothing is kept."""
@@ -199,7 +199,7 @@ def machine() -> Machine:
         import llvmlite.binding as binding
     except ImportError as error:
         raise ConstructionError(
-            'a compiled log needs llvmlite: install it (pip install "graphic-tmm[fast]"), or run without fast'
+            f"a compiled log needs llvmlite: install it ({installing('[fast]')}), or run without fast"
         ) from error
     if binding.llvm_version_info[0] < TYPED:
         binding.initialize()
