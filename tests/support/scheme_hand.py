@@ -73,7 +73,8 @@ class SchemeHand:
         """The lengths as they are shown."""
         rows = self.page.locator(".lengths .scheme-field")
         found = rows.evaluate_all(
-            "(rows) => rows.map((row) => [row.querySelector('span').textContent, row.querySelector('input').value])"
+            """(rows) => rows.map((row) =>
+              [row.querySelector('span').textContent, row.querySelector('input').value])"""
         )
         return dict(found)
 
