@@ -57,14 +57,14 @@ _NAME = re.compile(r"^(?:export )?(?:async )?(?:function\*?|const|let|class) (\w
 _INDEX = re.compile(r"_\{([^}]*)\}")
 _REMARK = re.compile(r"/\*.*?\*/", re.S)
 _BLANKS = re.compile(r"\s*([{};,])\s*|(?<=:)\s+")
-_INDENT = re.compile(r"^[ \t]+", re.M)
+_INDENT = re.compile(r"^\s+", re.M)
 _WEB: Traversable = files(__package__) / "web"
 _COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
 
 
 @cache
 def script(*further: str, written: str = "") -> str:
-    """Return the page's program: main.js behind all that it imports, without comments and indents.
+    """Return the page's program: main.js behind all that it imports, without comments, indents and empty lines.
 
     ``further``: folders whose ways of looking the page has too; ``written``: a module for the page alone, that
     runs before main.js as if it stood in the first of these. No text of a module goes over a line

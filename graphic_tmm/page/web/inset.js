@@ -13,11 +13,13 @@ const LEFT_OUT = ".label, title, desc, [data-part=number], [data-part=leader], [
 /** White about the mechanism, for its letters, as a share of it. */
 const INSET_EDGE = 0.1;
 /** Sizes that are tried, as a share of the paper; the first that hides no ink, else the place that hides least. */
-const SHARES = [0.27, 0.22, 0.17];
+const SHARES = [0.36, 0.27, 0.22, 0.17];
 /** It is at most so much larger in height than in width, as shares of the paper. */
 const UPRIGHT = 1.6;
 /** Letters: at least so many px, a share of the height of the paper. */
 const LETTERING = { least: 13, share: 1 / 42 };
+/** What a letter takes of the sheet, as shares of its size (system-ui, with its leading). */
+const LETTER_BOX = { across: 0.85, down: 1.2 };
 
 /**
  * Put the mechanism in the position of a view on its paper; null if the view has none.
@@ -179,19 +181,24 @@ export class Inset {
   }
 
   /**
-   * Return the letters of the points, and dots on those that are used.
+   * Return the letters of the points, and dots on those that are used; a letter with no room among the others is left out.
    * @param {Set<number>} named
    */
   letters(named) {
     const size = Math.max(LETTERING.least, this.paper.clientHeight * LETTERING.share) * this.mm;
     const black = placesOfInk(this.ink);
     const made = [];
-    for (const [slot, letter] of this.joints.filter((one) => one[2] || named.has(one[0]))) {
+    /** @type {Spot[]} */
+    const placed = [];
+    const due = this.joints.filter((one) => one[2] || named.has(one[0]));
+    for (const [slot, letter] of due.sort((a, b) => Number(named.has(b[0])) - Number(named.has(a[0])))) {
       const spot = this.spots.get(slot) ?? [0, 0];
       const side = named.has(slot) ? "used" : "";
       const dot = { cx: spot[0], cy: spot[1], r: 3.5 * this.mm, class: "used", "data-of": slot };
       if (side !== "") made.push(drawnElement("circle", dot));
       const [x, y] = freeSide(spot, 0.85 * size, black);
+      if (placed.some(([px, py]) => Math.abs(px - x) < LETTER_BOX.across * size && Math.abs(py - y) < LETTER_BOX.down * size)) continue;
+      placed.push([x, y]);
       for (let k = -1; k <= 1; k += 1) black.push([x + 0.4 * k * size, y]);
       const text = drawnElement("text", { x, y, "font-size": size, class: side, "data-of": slot });
       text.textContent = letter;

@@ -15,7 +15,8 @@ from graphic_tmm.studio import sheets
 
 CASE = ROOT / "tests" / "cases" / "sheets" / "upright.toml"
 PHONES = [(360, 740), (390, 844)]
-HEADER = 80
+HEADER = 48
+STILL = ("#positions/all/0", "#positions/all/1", "#positions/all/999", "#velocities//999")
 MAIN = "3"
 """The one of all 12 in which motion is passed on best; no plan of accelerations is asked for."""
 SHEET = """
@@ -24,8 +25,8 @@ format = "A1"
 place = ["positions", "velocities"]
 """
 MEETING = """() => {
-  const letters = [...document.querySelectorAll("svg .label, .stays .glyph")];
-  const seen = letters.filter((one) => one.checkVisibility());
+  const letters = [...document.querySelectorAll("svg .label, .stays .glyph, .inset text")];
+  const seen = letters.filter((one) => one.checkVisibility({ visibilityProperty: true }));
   const boxes = seen.map((one) => one.getBoundingClientRect());
   const across = (a, b) => a.left < b.right - 1 && b.left < a.right - 1;
   const meet = (a, b) => across(a, b) && a.top < b.bottom - 1 && b.top < a.bottom - 1;
@@ -64,7 +65,7 @@ def test_nothing_collides_on_a_phone(size: tuple[int, int], file: Path, opened: 
         page.evaluate(FRAMES)
         assert page.locator("header").bounding_box()["height"] <= HEADER
         assert page.evaluate("document.scrollingElement.scrollWidth") <= size[0]
-    for address in ("#positions/all/1", "#positions/all/999", "#velocities//999", "#crank:"):
+    for address in (*STILL, "#lecture:velocities//999", "#crank:"):
         page = shown(opened, file, address, *size)
         seen, meeting = page.evaluate(MEETING)
         assert seen > 1, address
