@@ -67,6 +67,9 @@ def test_everything_is_reached_by_keys(studio: Tab) -> None:
     assert reached[9] == "The scene"
     page.get_by_role("tab", name="Sheets").focus()
     page.keyboard.press("ArrowRight")
+    expect(page.get_by_role("tab", name="Scheme")).to_be_focused()
+    expect(page.locator("#panel-scheme")).to_be_visible()
+    page.keyboard.press("ArrowRight")
     expect(page.get_by_role("tab", name="Plans step by step")).to_be_focused()
     expect(page.locator("#panel-page")).to_be_visible()
     expect(page.locator("#panel-sheets")).to_be_hidden()

@@ -15,7 +15,7 @@ export class Side {
   /** @param {Editor} editor */
   constructor(editor) {
     this.editor = editor;
-    this.structure = element("p", { class: "structure", role: "status" });
+    this.structure = element("p", { class: "structure" });
     this.chosen = element("div", { class: "chosen-part" });
     this.lengths = element("div", { class: "lengths" });
     this.next = element("div", { class: "next" });
