@@ -291,3 +291,18 @@ def test_what_the_task_gives_besides_is_added() -> None:
         shown(file, section="load", typed={**typed, "force": "12 mm"})
     with pytest.raises(TmmError, match="no such section"):
         shown(file, section="frame", typed={})
+
+
+@pytest.mark.parametrize(
+    "text", ["", 'title = "x"\n', (SHEETS / "cam/scene.toml").read_text("utf-8")]
+)
+def test_where_no_mechanism_is_one_is_begun(text: str) -> None:
+    file = Path("scheme.toml")
+    made = scheme(text.encode(), file, SchemeAct(), EN)
+    assert (made["text"], len(made["sketch"]["links"])) == (None, 1)
+    assert "Draw a link" in made["says"]
+    drawn = scheme(text.encode(), file, SchemeAct(sketch=crank_and_slider()), EN)
+    assert text.rstrip("\n") in drawn["text"] or all(
+        line in drawn["text"] for line in text.splitlines()
+    )
+    assert drawn["formula"] == "I(1) → II(2-3)"

@@ -31,6 +31,7 @@ from graphic_tmm.serve.form import form
 from graphic_tmm.serve.scheme.fields import scheme_fields
 from graphic_tmm.serve.scheme.sections import offered, with_section
 from graphic_tmm.serve.scheme.sketches import (
+    BLANK,
     Sketch,
     is_length,
     is_sketch,
@@ -86,7 +87,7 @@ def scheme(
         stands = standing_of(sketch, doc)
         if stands.lies is None:
             return _answer(sketch, stands, speech)
-        if not text:
+        if "link" not in doc:
             shift = origin_of(stands)
             sketch = shifted(sketch, shift)
             stands = standing_of(sketch, doc)
@@ -96,6 +97,8 @@ def scheme(
         text = with_section(text, asked.section, asked.typed, file, speech)
     elif asked.typed:
         text = edited(text.encode(), asked.typed, file).decode()
+    if not text or "link" not in parsed(text.encode(), file)[1]:
+        return _answer(BLANK, standing_of(BLANK, doc), speech)
     found = _drawn(text, asked, file, speech)
     errors = new_faults(data, text.encode(), file, missing) if data else ()
     if asked.section and errors:

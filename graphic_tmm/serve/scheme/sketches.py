@@ -19,6 +19,12 @@ MOST = 60
 FAR = 1e6
 """Nothing lies farther from the origin, m."""
 Sketch = dict[str, Any]
+BLANK: Sketch = {
+    "places": {},
+    "links": [{"number": 0, "points": [], "guides": {}, "slides": []}],
+    "drive": None,
+}
+"""Nothing but the frame."""
 GEOMETRY = ("points", "guides", "slides", "centre")
 """Keys of a link that a sketch tells."""
 

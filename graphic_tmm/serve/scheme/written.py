@@ -37,7 +37,7 @@ def scene_text(text: str, doc: Document, stands: Standing, file: File) -> str:
     assert driven is not None
     assert at is not None
     size = _size(lies)
-    before = positions_scene(doc).mechanism if text else None
+    before = positions_scene(doc).mechanism if "link" in doc else None
     found = built(lies, at if driven.pair.kind == "R" else 0.0, before)
     mechanism = found.mechanism
     for name, doubt in found.doubt.items():
