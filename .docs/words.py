@@ -1,0 +1,59 @@
+"""What the site itself says, in both languages; all else it takes from the package and its documents."""
+
+from __future__ import annotations
+
+from typing import Literal, get_args
+
+Language = Literal["en", "ru"]
+LANGUAGES: tuple[Language, ...] = get_args(Language)
+NAMES = {"en": "English", "ru": "Русский"}
+
+WORDS: dict[str, dict[Language, str]] = {
+    "home": {"en": "Home", "ru": "Начало"},
+    "guides": {"en": "Guides", "ru": "Руководства"},
+    "theory": {"en": "Theory", "ru": "Главы"},
+    "keys": {"en": "Keys of a scene", "ru": "Ключи задания"},
+    "commands": {"en": "Commands", "ru": "Команды"},
+    "python": {"en": "In Python", "ru": "Python (англ.)"},
+    "gallery": {"en": "Gallery", "ru": "Галерея"},
+    "project": {"en": "Project", "ru": "О проекте (англ.)"},
+    "worked": {"en": "Worked: {}", "ru": "Пример: {}"},
+    "keys of it": {"en": "Keys", "ru": "Ключи"},
+    "shown by": {"en": "Scenes that show it", "ru": "Где это начерчено"},
+    "chapters of it": {"en": "Chapters", "ru": "Главы"},
+    "scene": {"en": "The scene", "ru": "Задание"},
+    "builds on": {"en": "Builds on", "ru": "Опирается на главы"},
+    "option": {"en": "Option", "ru": "Параметр"},
+    "what for": {"en": "What for", "ru": "Назначение"},
+    "chapter": {"en": "Chapter", "ru": "Глава"},
+    "draw it": {"en": "Draw it:", "ru": "Вычертить:"},
+    "how built": {"en": "How it is built", "ru": ""},
+    "measured": {"en": "Measured", "ru": ""},
+    "changes": {"en": "Changes", "ru": ""},
+    "how to write": {"en": "A scene", "ru": ""},
+    "checking": {"en": "Checking", "ru": ""},
+    "accuracy": {"en": "Accuracy", "ru": ""},
+    "only English": {
+        "en": "",
+        "ru": "Теория этой главы изложена по-английски: [{}]({}). Ниже — пример, вычерченный и записанный "
+        "программой по-русски.",
+    },
+    "each chapter": {
+        "en": "Each chapter of the book: its theory and sources, a worked example with its figures, its keys.",
+        "ru": "Каждая глава — пример с чертежами и вычислениями, ключи задания, где это начерчено.",
+    },
+    "a scene each": {
+        "en": "",
+        "ru": "Задания, которые идут вместе с программой, и листы, вычерченные по ним.",
+    },
+    "more": {
+        "en": "",
+        "ru": "Python, проверка чертежей, точность, устройство программы (по-английски)",
+    },
+    "whole note": {"en": "The whole note of this scene", "ru": "Вся записка этого задания"},
+}
+
+
+def word(name: str, language: Language) -> str:
+    """Return a word of the site."""
+    return WORDS[name][language]
