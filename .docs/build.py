@@ -39,6 +39,7 @@ TABS: Mapping[Language, Sequence[str]] = {
     "en": ("guides", "theory", "keys", "commands", "python", "gallery", "project"),
     "ru": ("guides", "theory", "keys", "commands", "gallery"),
 }
+LOOK = ("look.css", "iframe-worker.js")
 PRINTED = ("keys/index.md", "gallery/index.md")
 """Pages whose documents are printed anew, or stand with others."""
 
@@ -66,7 +67,8 @@ def build(out: Path, work: Path) -> None:
             file = source / page
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, encoding="utf-8")
-        shutil.copy(HERE / "look.css", source)
+        for file in LOOK:
+            shutil.copy(HERE / file, source)
         if language == "en":
             _copy_sheets(source)
         settings = work / f"mkdocs.{language}.yml"
@@ -134,7 +136,7 @@ def _settings(language: Language, found: Sequence[str], source: Path, home: Path
         "theme": {"language": language},
         "nav": nav,
         "plugins": plugins,
-        "extra": {"alternate": alternate},
+        "extra": {"alternate": alternate, "polyfills": [LOOK[1]]},
     }
 
 
