@@ -125,8 +125,8 @@ def test_ci_fails_without_a_browser_and_the_checks_of_scripts() -> None:
     before, after = run.split("bash -c")
     assert "GRAPHIC_TMM_BROWSER=required" in before
     assert 'wait "$browser" || ' in before
-    assert "'.[browser,single]'" in before
-    assert "'.[browser,single]'" not in after
+    assert "'.[browser,single,docs]'" in before
+    assert "'.[browser,single,docs]'" not in after
 
 
 def test_the_checks_of_scripts_are_pinned() -> None:
