@@ -25,6 +25,7 @@ MOST = 200
 """So many values may be set at once."""
 LONGEST_KEY = 60
 _COMMA = re.compile(r"([+-]?[0-9]+),([0-9]+)")
+_ROW = re.compile(r"[0-9]+\*?(?:\s*,\s*[0-9]+\*?)*")
 _LONE = re.compile(r"[\ud800-\udfff]")
 Missing = Callable[[str], str]
 
@@ -101,6 +102,9 @@ def source_of(typed: str, field: Field | None, text: str) -> str:
         return typed if isinstance(value, bool) else quoted(typed)
     if field.kind == "list":
         newline = "\r\n" if "\r\n" in text else "\n"
+        if _ROW.fullmatch(typed):
+            names = (one.strip() for one in typed.split(","))
+            return f"[{', '.join(one if one.isdigit() else quoted(one) for one in names)}]"
         return typed.replace("\n", newline) if isinstance(value, list) else quoted(typed)
     return _number(typed, value, field)
 

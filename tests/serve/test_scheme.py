@@ -306,3 +306,16 @@ def test_where_no_mechanism_is_one_is_begun(text: str) -> None:
         line in drawn["text"] for line in text.splitlines()
     )
     assert drawn["formula"] == "I(1) → II(2-3)"
+
+
+def test_a_free_end_is_no_mass_centre_unless_the_scene_says_so() -> None:
+    file = SHEETS / "crank-rocker" / "scene.toml"
+    text = (
+        file.read_text("utf-8")
+        .replace('centre = "S3"\n', "")
+        .replace(', S3 = ["20 mm", 0]', ', K = ["60 mm", 0]')
+    )
+    made = scheme(text.encode(), file, SchemeAct(), EN)
+    links = {one["number"]: one for one in made["sketch"]["links"]}
+    assert "centre" not in links[3]
+    assert links[2]["centre"] == "S2"

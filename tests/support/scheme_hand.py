@@ -83,8 +83,10 @@ def shaper(hand: SchemeHand) -> None:
     """Crank, stone, rocker, rod and ram."""
     hand.drag((330, 150), (400, 200))
     hand.take("support")
+    hand.click((400, 200))
     hand.drag((280, 70), (400, 330))
     hand.take("support")
+    hand.click((400, 330))
     hand.take("stone")
     hand.click((330, 150))
     hand.click((370, 265))
@@ -99,9 +101,11 @@ def shaper(hand: SchemeHand) -> None:
 def crank_rocker(hand: SchemeHand) -> None:
     hand.drag((250, 250), (300, 320))
     hand.take("support")
+    hand.click((300, 320))
     hand.drag((250, 250), (520, 160))
     hand.drag((520, 160), (600, 330))
     hand.take("support")
+    hand.click((600, 330))
     hand.take("drive")
     hand.click((275, 285))
     hand.whole("I(1) → II(2-3)")
@@ -110,10 +114,11 @@ def crank_rocker(hand: SchemeHand) -> None:
 def swinging_cylinder(hand: SchemeHand) -> None:
     hand.drag((250, 250), (300, 320))
     hand.take("support")
+    hand.click((300, 320))
     hand.take("cylinder")
     hand.drag((600, 330), (250, 250))
-    hand.click((600, 330))
     hand.take("support")
+    hand.click((600, 330))
     hand.take("drive")
     hand.click((275, 285))
     hand.whole("I(1) → II(2-3)")
@@ -122,6 +127,7 @@ def swinging_cylinder(hand: SchemeHand) -> None:
 def v_engine(hand: SchemeHand) -> None:
     hand.drag((440, 380), (420, 430))
     hand.take("support")
+    hand.click((420, 430))
     hand.drag((440, 380), (300, 250))
     hand.take("slider")
     hand.drag((300, 250), (250, 200))

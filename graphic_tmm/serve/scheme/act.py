@@ -184,7 +184,7 @@ def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str,
         raise SceneError(str(file), (Fault("", 0, says),))
     structure = dissect(scene.mechanism)
     stands = Standing(structure.mobility, structure.formula)
-    sketch = sketch_of(lying(scene.mechanism, here), here)
+    sketch = sketch_of(lying(scene.mechanism, here), here, doc)
     found = _answer(sketch, stands, speech) | {
         "text": text,
         "at": at,

@@ -16,7 +16,7 @@ from graphic_tmm.scene.sections import LENGTHS
 from graphic_tmm.serve.form import Field, form
 
 OF_LINKS = ("name", "mass", "J")
-OF_DRIVE = ("speed", "turns", "from", "to", "positions")
+OF_DRIVE = ("speed", "turns", "from", "to", "positions", "accelerations")
 """What a task gives besides lengths, and nothing can be drawn without, or is drawn otherwise."""
 ZERO = re.compile(r"[+-]?0(?:\.0*)?(?:\s.*)?")
 CLAUSE = re.compile(r"[;:,(]")
@@ -49,7 +49,11 @@ def _json(
         "text": field.text,
         "link": link,
         "name": f"{LENGTHS}.{field.text}" if named else "",
-        "choices": list(field.choices),
+        "choices": [
+            one
+            for one in field.choices
+            if one == field.text or one.isascii() == (speech.language != "ru")
+        ],
         "placeholder": field.default,
         "says": speech(field.says),
     }

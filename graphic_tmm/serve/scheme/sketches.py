@@ -174,23 +174,27 @@ def _moved(sketch: Sketch, place: Callable[[list[float]], list[float]]) -> Sketc
     return {**sketch, "places": places, "links": [body(one) for one in sketch["links"]]}
 
 
-def sketch_of(lies: Mechanism, places: Mapping[str, complex]) -> Sketch:
-    """Return a mechanism that lies somewhere as a browser takes it; ``places``: of its letters, m."""
+def sketch_of(lies: Mechanism, places: Mapping[str, complex], doc: Document) -> Sketch:
+    """Return a mechanism that lies somewhere as a browser takes it.
+
+    ``places``: of its letters, m; ``doc``: its scene: a mass centre is drawn as one where that says so.
+    """
+    centres = {one.get("number"): one.get("centre") for one in doc["link"]}
     return {
         "places": {letter: _pair(z) for letter, z in places.items()},
-        "links": [_body(one) for one in (lies.frame, *lies.drawn)],
+        "links": [_body(one, centres.get(one.number)) for one in (lies.frame, *lies.drawn)],
         "drive": lies.drive.link,
     }
 
 
-def _body(link: Link) -> dict[str, Any]:
+def _body(link: Link, centre: object) -> dict[str, Any]:
     made: dict[str, Any] = {
         "number": link.number,
         "points": list(link.points),
         "guides": {one.name: _guide(one) for one in link.guides},
         "slides": [_slide(one) for one in link.slides],
     }
-    return made | ({"centre": link.centre} if link.centre in link.points else {})
+    return made | ({"centre": centre} if centre in link.points else {})
 
 
 def _guide(guide: Guide) -> dict[str, Any]:

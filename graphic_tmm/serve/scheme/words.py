@@ -47,6 +47,9 @@ SCHEME_WORDS: dict[str, str] = {
     ),
     "scheme chosen link": said("Link {number} is chosen: type its number, or its lengths beside."),
     "scheme letter taken": said("There is a pin {letter} already."),
+    "scheme begun": said(
+        "Move the cross, and press Enter where it ends; on the same place it is chosen. Escape leaves it."
+    ),
     "scheme begin": said("Draw a link: drag from one of its pins to the other."),
     "scheme frame": said("frame"),
     "scheme pin of": said("Pin {letter} of: {links}"),

@@ -1,5 +1,5 @@
 import * as changes from "./changes.js";
-import { frameOf } from "./sketch.js";
+import { frameOf, sizeOf } from "./sketch.js";
 
 /**
  * What is done to the chosen pin or link, and to values, from keys and from the panel.
@@ -36,7 +36,7 @@ export function renameLetter(editor, from, to) {
  * @param {number} to
  */
 export function renameLink(editor, from, to) {
-  if (from === to || to === frameOf(editor.sketch).number) return;
+  if (from === to || to === frameOf(editor.sketch).number || !(Number.isInteger(to) && to > 0 && to < 1000)) return;
   editor.act(changes.renumbered(editor.sketch, from, to), { number: to }, { numbers: { [from]: to } });
 }
 
@@ -51,8 +51,14 @@ export function typeValue(editor, key, value, long) {
   if (editor.fixed) return editor.tell(editor.say("fixed"));
   const before = editor.history.keep(editor.moment);
   const scale = long && !editor.measured;
-  if (long) editor.measured = true;
-  editor.ask({ typed: { [key]: value }, scale, sketch: scale ? editor.sketch : null, at: editor.answer?.at ?? null }, before);
+  const { sketch } = editor;
+  const act = { typed: { [key]: value }, scale, sketch: scale ? sketch : null, at: editor.answer?.at ?? null };
+  editor.ask(act, before, () => {
+    if (!scale) return;
+    editor.measured = true;
+    editor.picture.scale(sizeOf(editor.sketch) / sizeOf(sketch));
+    editor.paper.fit();
+  });
 }
 
 /**

@@ -18,7 +18,8 @@ import { Turning } from "./turning.js";
  * @typedef {import("../types.js").Words} Words
  * @typedef {import("../types.js").SchemeAnswer} SchemeAnswer
  * @typedef {import("../types.js").SchemeAct} SchemeAct
- * @typedef {{sketch: Sketch, text: string, answer: SchemeAnswer | null}} Moment
+ * @typedef {{sketch: Sketch, text: string, answer: SchemeAnswer | null, measured: boolean, origin: [number, number]}} Moment
+ *   origin: where that of the paper at the beginning is, m
  */
 
 /** So many acts can be taken back. */
@@ -50,6 +51,8 @@ export class Editor {
     this.waiting = 0;
     /** Whether a length was typed: the first is the scale of all. */
     this.measured = false;
+    /** @type {[number, number]} */
+    this.origin = [0, 0];
     this.typedAt = 0;
     /** Whoever shall know that something has changed. */
     this.follow = () => {};
@@ -59,6 +62,7 @@ export class Editor {
       hover: (meant) => this.hand.hover(meant),
       release: (meant, drawn) => this.hand.release(meant, drawn),
       cancel: () => this.cancel(),
+      begun: () => this.tell(this.say("scheme begun")),
       key: (event) => keyed(this, event),
       how: () => this.hand.how(),
     });
@@ -111,23 +115,26 @@ export class Editor {
 
   /** What is now. @returns {Moment} */
   get moment() {
-    return { sketch: this.sketch, text: this.text, answer: this.answer };
+    const { sketch, text, answer, measured, origin } = this;
+    return { sketch, text, answer, measured, origin };
   }
 
   /**
    * Send an act when those before it are answered.
    * @param {Partial<SchemeAct>} act
    * @param {Moment} before what is to be again if it is refused
+   * @param {() => void} done what follows if it is not
    */
-  ask(act, before = this.moment) {
+  ask(act, before = this.moment, done = () => {}) {
     this.waiting += 1;
     this.element.setAttribute("aria-busy", "true");
     this.queue = this.queue.then(async () => {
       const { answer, errors } = await this.send({ text: this.text, ...act });
       this.waiting -= 1;
       this.element.setAttribute("aria-busy", String(this.waiting > 0));
-      if (answer === null) this.undone(errors, before);
-      else this.take(answer);
+      if (answer === null) return this.undone(errors, before, Object.keys(act.typed ?? {})[0]);
+      this.take(answer);
+      done();
     });
     return this.queue;
   }
@@ -136,20 +143,30 @@ export class Editor {
    * Take back an act that was refused, and those that were done on it.
    * @param {string[]} errors
    * @param {Moment} before
+   * @param {string} [key] of the value that was typed
    */
-  undone(errors, before) {
+  undone(errors, before, key) {
     this.history.forget(before);
     ({ sketch: this.sketch, text: this.text, answer: this.answer } = before);
     this.changed();
     this.tell(errors[0] ?? this.say("not sent"));
-    this.side.refuse(errors);
+    this.side.refuse(errors, key);
+  }
+
+  /**
+   * Let the origin lie elsewhere, and what is drawn stay where it is seen.
+   * @param {[number, number]} by m
+   */
+  shift(by) {
+    this.paper.shift(by);
+    this.picture.shift(by);
+    this.origin = [this.origin[0] + by[0], this.origin[1] + by[1]];
   }
 
   /** @param {SchemeAnswer} answer */
   take(answer) {
     this.answer = answer;
-    this.paper.shift(answer.shift);
-    this.picture.shift(answer.shift);
+    this.shift(answer.shift);
     if (answer.text !== null) this.text = answer.text;
     if (this.waiting === 0) this.sketch = answer.sketch;
     if (this.chosen.letter !== undefined && !(this.chosen.letter in this.sketch.places)) this.chosen = {};
@@ -185,7 +202,8 @@ export class Editor {
   restore(moment) {
     if (moment === null) return;
     const before = this.moment;
-    ({ sketch: this.sketch, text: this.text, answer: this.answer } = moment);
+    this.shift([moment.origin[0] - this.origin[0], moment.origin[1] - this.origin[1]]);
+    ({ sketch: this.sketch, text: this.text, answer: this.answer, measured: this.measured } = moment);
     this.chosen = {};
     this.changed();
     const whole = moment.answer !== null && moment.answer.text !== null;

@@ -46,7 +46,9 @@ export class Hand {
    */
   take(tool) {
     const { editor } = this;
-    const { letter, number } = editor.chosen;
+    const { number, drawn } = editor.chosen;
+    // a pin that a link was just drawn to is named by a letter, and not meant by a tool
+    const letter = drawn ? undefined : editor.chosen.letter;
     this.cancel();
     if (tool === "support" && letter !== undefined) editor.act(acts.supported(editor.sketch, letter), {});
     else if (tool === "drive" && number !== undefined) this.drive(number);
@@ -203,7 +205,7 @@ export class Hand {
     const done = tool === "" ? null : TOOL_ACTS[tool](editor, use);
     if (done === null) editor.tell(editor.say(howOf(tool)));
     else if ("wait" in done) [this.tool, this.pin] = [tool, done.wait];
-    else editor.act(done.sketch, done.letter === undefined ? {} : { letter: done.letter }, { numbers: done.numbers ?? {} });
+    else editor.act(done.sketch, done.letter === undefined ? {} : { letter: done.letter, drawn: true }, { numbers: done.numbers ?? {} });
     if (done !== null && "wait" in done) editor.tell(editor.say("scheme stone bar"));
     editor.changed();
   }

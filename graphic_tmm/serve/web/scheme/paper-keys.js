@@ -22,6 +22,7 @@ export function listenToKeys(paper) {
   paper.svg.addEventListener("keydown", (event) => keys.key(event));
   paper.svg.addEventListener("blur", () => {
     keys.rest = paper.cross ?? keys.rest;
+    keys.held = false;
     paper.cross = null;
     paper.draw();
   });
@@ -103,6 +104,7 @@ class Keys {
       this.held = true;
       this.heldAt = spot;
       this.paper.hand.press(this.paper.meant(spot));
+      this.paper.hand.begun();
     }
     this.paper.drawOver();
   }

@@ -16,7 +16,7 @@ import { View } from "./view.js";
  * @typedef {import("./view.js").Dots} Dots
  * @typedef {{from: Place | null, to: Meant | null, angle?: number, says: string}} Rubber what is being drawn
  * @typedef {{press: (meant: Meant) => void, hover: (meant: Meant) => void, release: (meant: Meant, drawn: boolean) => void,
- *   cancel: () => void, key: (event: KeyboardEvent) => boolean, how: () => import("./snap.js").How}} Hand
+ *   cancel: () => void, begun: () => void, key: (event: KeyboardEvent) => boolean, how: () => import("./snap.js").How}} Hand
  */
 
 const RING = 18;

@@ -42,9 +42,15 @@ export class Side {
     if (focused) /** @type {HTMLElement | null} */ (this.element.querySelector(`[data-key="${CSS.escape(focused)}"]`))?.focus();
   }
 
-  /** @param {string[]} errors */
-  refuse(errors) {
-    this.errors.textContent = errors.join(" ");
+  /**
+   * @param {string[]} errors
+   * @param {string} [key] of the value that is refused
+   */
+  refuse(errors, key = "") {
+    const field = key === "" ? null : this.element.querySelector(`[data-key="${CSS.escape(key)}"]`);
+    const label = field?.closest("label")?.querySelector("span")?.textContent;
+    this.errors.textContent = [label ? `${label}:` : "", ...errors].filter(Boolean).join(" ");
+    field?.setAttribute("aria-invalid", "true");
   }
 
   structureLines() {

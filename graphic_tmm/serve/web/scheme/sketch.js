@@ -196,11 +196,20 @@ export function footOf({ through, way }, place) {
 }
 
 /**
+ * Return how large a mechanism is, corner to corner, m.
+ * @param {Sketch} sketch
+ */
+export function sizeOf(sketch) {
+  const bounds = boundsOf(sketch);
+  return bounds === null ? 1 : Math.hypot(bounds.right - bounds.left, bounds.high - bounds.low) || 1;
+}
+
+/**
  * Return how far a mechanism reaches, m.
  * @param {Sketch} sketch
  */
 export function boundsOf(sketch) {
-  const all = [...Object.values(sketch.places), ...Object.values(frameOf(sketch).guides).map((one) => one.through)];
+  const all = Object.values(sketch.places);
   const xs = all.map((one) => one[0]);
   const ys = all.map((one) => one[1]);
   return all.length === 0 ? null : { left: Math.min(...xs), right: Math.max(...xs), low: Math.min(...ys), high: Math.max(...ys) };

@@ -22,8 +22,8 @@ export const TOOL_ACTS = {
   support: ({ sketch }, { meant: { letter } }) => (letter === undefined ? null : { sketch: acts.supported(sketch, letter) }),
   slider: ({ sketch }, { pin, angle }) => (pin === "" ? null : { sketch: acts.guided(sketch, pin, angle) }),
   stone: ({ sketch }, { pin, meant }) => {
-    if (pin === "") return meant.letter === undefined ? null : { wait: meant.letter };
-    return meant.bar === undefined ? null : { sketch: acts.stoned(sketch, pin, guideBar(sketch, meant.bar)) };
+    if (meant.letter !== undefined) return { wait: meant.letter };
+    return pin === "" || meant.bar === undefined ? null : { sketch: acts.stoned(sketch, pin, guideBar(sketch, meant.bar)) };
   },
   cylinder: ({ sketch }, { begun, meant, drawn }) => (drawn ? acts.cylinder(sketch, targetOf(begun), targetOf(meant)) : null),
   point: ({ sketch, chosen }, { meant }) => (chosen.number === undefined ? null : acts.pinned(sketch, chosen.number, targetOf(meant))),
