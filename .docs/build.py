@@ -56,6 +56,7 @@ def pages(language: Language) -> dict[str, str]:
     if language == "en":
         found.update(face_pages())
     found.update(gallery_pages(language))
+    found["index.md"] = f"---\nhide: [navigation]\n---\n\n{found['index.md']}"
     return found
 
 

@@ -79,9 +79,9 @@ def _options(command: click.Command, context: click.Context, language: Language)
     lines = [f"| {word('option', language)} | {word('what for', language)} |", "|---|---|"]
     for param in shown.get_params(context):
         record = param.get_help_record(context)
-        if record is not None:
-            names, told = (one.replace("|", "\\|") for one in record)
-            lines.append(f"| `{names}` | {escape(told, quote=False)} |")
+        if record is not None and record[1]:
+            names, told = (escape(one, quote=False).replace("|", "&#124;") for one in record)
+            lines.append(f"| <code>{names}</code> | {told} |")
     return "\n".join(lines) + "\n"
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import click
 import pytest
+from support.browser import without
 from support.gallery import ALL, ROOT
 
 import graphic_tmm
@@ -27,7 +28,7 @@ pytestmark = pytest.mark.slow
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """Build it; what its documents show is run by the tests that hold them."""
     if missing := [name for name in NEEDED if find_spec(name) is None]:
-        pytest.skip(f"{', '.join(missing)} missing: pip install -e '.[docs]'")
+        without(", ".join(missing), "pip install -e '.[docs]'")
     out = tmp_path_factory.mktemp("site") / "site"
     command = [sys.executable, str(DOCS / "build.py"), "--no-examples", str(out)]
     ran = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
