@@ -68,8 +68,8 @@ def build(out: Path, work: Path) -> None:
             file = source / page
             file.parent.mkdir(parents=True, exist_ok=True)
             file.write_text(text, encoding="utf-8")
-        for file in LOOK:
-            shutil.copy(HERE / file, source)
+        for look in LOOK:
+            shutil.copy(HERE / look, source)
         if language == "en":
             _copy_sheets(source)
         settings = work / f"mkdocs.{language}.yml"
@@ -148,7 +148,8 @@ def main() -> None:
     told.add_argument("--no-examples", action="store_true", help="do not run the examples first")
     asked = told.parse_args()
     if not asked.no_examples:
-        run = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *EXAMPLES]
+        options = ["-q", "-p", "no:cacheprovider", "--measured"]
+        run = [sys.executable, "-m", "pytest", *options, *EXAMPLES]
         subprocess.run(run, cwd=ROOT, check=True)
     out = Path(asked.out).resolve()
     shutil.rmtree(out, ignore_errors=True)
