@@ -11,16 +11,19 @@ import ast
 import builtins
 import json
 import math
+import re
 import types
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from textwrap import indent
 from typing import Any, NewType
 
 import numpy as np
 
 from graphic_tmm.board import geometry
-from graphic_tmm.board.source import NotCompiled, Plain, globals_of, plain_source
+from graphic_tmm.board.record import Step
+from graphic_tmm.board.source import NotCompiled, Plain, defaults, globals_of, plain_source
 
+_ABOUT_SIGNS = re.compile(r" ?([-,=?:{}<>&|]+) ")
 OWN = "$"
 """What does the arithmetic is called so, and names of functions begin so: no name of Python's does."""
 _RESERVED = frozenset(
@@ -121,18 +124,38 @@ class Script:
             found += "_"
         return found
 
-    def program(self, tables: Mapping[str, Mapping[str, Callable[..., Any]]], taken: str) -> str:
+    def log(self, steps: Iterable[Step]) -> str:
+        """Return steps as a function of the values of marks by their slots, M: it enters what each step leaves.
+
+        What they use stands there already. It is straight: a line for each step, in their order.
+        """
+        return f"(M) => {{\n{''.join(map(self._line, steps))}}}"
+
+    def _line(self, step: Step) -> str:
+        uses = [f"M[{mark.slot}]" for mark in step.uses]
+        choice = map(str, defaults(step.op.run, dict(step.choice)))
+        return f"M[{step.it.slot}] = {self.add(step.op.run)}({', '.join([*uses, *choice])});\n"
+
+    def program(
+        self,
+        tables: Mapping[str, Mapping[str, Callable[..., Any]]],
+        taken: str,
+        logs: Mapping[str, Iterable[Step]] | None = None,
+    ) -> str:
         """Return the program that hands tables of functions to the function ``taken`` of the page.
 
-        The same tables, the same text.
+        ``logs``: steps that it hands over as functions in one more table, "log", by their names (`log`). The
+        same tables, the same text.
         """
         rows = {
             name: ", ".join(f"{key}: {self.add(one)}" for key, one in functions.items())
             for name, functions in tables.items()
         }
+        if logs:
+            rows["log"] = ", ".join(f"{name}: {self.log(steps)}" for name, steps in logs.items())
         told = ", ".join(f"{name}: {{ {row} }}" for name, row in rows.items())
         body = indent("\n".join(self.texts.values()), " ")
-        return f"{taken}((({OWN}) => {{\n{body}\nreturn {{ {told} }};\n}})(ARITHMETIC));\n"
+        return _tight(f"{taken}((({OWN}) => {{\n{body}\nreturn {{ {told} }};\n}})(ARITHMETIC));\n")
 
 
 class _Function:
@@ -301,6 +324,11 @@ class _Function:
     def unknown(self, node: ast.AST) -> NotCompiled:
         """Return the fault that tells what cannot be written down."""
         return NotCompiled(f"{self.function.__name__}: {ast.unparse(node)}")
+
+
+def _tight(text: str) -> str:
+    """Return a program without the blanks about its signs: it has no texts in which they count."""
+    return _ABOUT_SIGNS.sub(r"\1", text)
 
 
 def _name(name: str) -> str:

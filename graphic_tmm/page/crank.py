@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from graphic_tmm.board.script import Script
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.numbers import decimal_sign, fixed, number
@@ -19,11 +20,16 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.cursors import Cursor, cursors
 from graphic_tmm.page.dense import Dense, dense
-from graphic_tmm.page.letters import lettered
+from graphic_tmm.page.figure_columns import figure_columns
+from graphic_tmm.page.glyphs import Glyphs
+from graphic_tmm.page.letters import BESIDE, lettered
+from graphic_tmm.page.live.log import LiveLog
+from graphic_tmm.page.live.values import place_in_log
 from graphic_tmm.page.pack import UNIT, Ints, Packer, packed
 from graphic_tmm.page.sentences import indexed
 from graphic_tmm.page.strands import (
     STEP,
+    Key,
     Letter,
     Moving,
     MovingFigures,
@@ -32,14 +38,15 @@ from graphic_tmm.page.strands import (
     folded,
     strands,
 )
-from graphic_tmm.paper.drawing import Drawing, Label, Sheet
+from graphic_tmm.page.tied_pack import FigureTies, Tied
+from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.labels import finished
-from graphic_tmm.paper.lettering.letters import letter, plain, svg_path
+from graphic_tmm.paper.lettering.letters import letter, plain
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.pens import pens
-from graphic_tmm.paper.write.svg import clean, shift
+from graphic_tmm.paper.write.svg import clean
 from graphic_tmm.paper.write.svg_path import path_data
-from graphic_tmm.readers.rounding import rounded_figures
+from graphic_tmm.readers.columns import Column
 
 EDGE = 4.0
 """White about a figure, mm."""
@@ -54,27 +61,51 @@ FLOWN = 100.0
 
 
 class Turned(NamedTuple):
-    """What the page is given: data, and the block of rows that it speaks of."""
+    """What the page is given: data, and the block of rows that it speaks of; the mechanism at every angle.
+
+    ``slots``: the marks that ink and what is told are of.
+    """
 
     data: dict[str, Any]
     rows: bytes
+    found: Dense
+    slots: frozenset[int]
 
 
-def crank(made: DrawnScene, sheets: Sequence[Sheet]) -> Turned | None:
-    """Return the mechanism of a scene as its crank turns; None if the scene has none, or no crank."""
+def crank(made: DrawnScene, sheets: Sequence[Sheet], *, live: bool = False) -> Turned | None:
+    """Return the mechanism of a scene as its crank turns; None if the scene has none, or no crank.
+
+    ``live``: its ink is tied to the marks of the log, which the page then calculates.
+    """
     drawn = made.mechanism
     found = dense(drawn) if drawn is not None else None
     if drawn is None or found is None:
         return None
     rows: list[Ints] = []
-    glyphs = _Glyphs()
+    glyphs = Glyphs()
     shown = {view.name: view for sheet in sheets for view in sheet.drawings}
-    own = {m.name: m for m in _moving(drawn)}
-    exact = {m.name: m for m in _moving(found.sheet)}
+    own = {m.name: m for m in figures_of(drawn)}
+    exact = {m.name: m for m in figures_of(found.sheet)}
+    there = {m.name: m for m in figures_of(found.drawn)}
+    drawn_over = {name: strands(found, moving) for name, moving in there.items()}
+    ties = FigureTies(found, figures_of, drawn_over) if live else None
     figures = [
-        _figure(found, moving, exact[moving.name], own[moving.name], shown, rows, glyphs)
-        for moving in _moving(found.drawn)
+        _figure(
+            FigureViews(found, moving, exact[name], own[name], drawn_over[name]),
+            shown,
+            rows,
+            glyphs,
+            ties.of(name) if ties is not None else {},
+        )
+        for name, moving in there.items()
     ]
+    slots = ties.slots if ties is not None else frozenset[int]()
+    if live:
+        columns = [
+            [there for _, there, _ in figure_columns(moving, own[name])]
+            for name, moving in there.items()
+        ]
+        slots |= _from_log(found, figures, columns, rows)
     language = made.scene.language
     box = pens(sheets[0].format if sheets else "A1")
     data = {
@@ -96,8 +127,9 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet]) -> Turned | None:
         ],
         "glyphs": glyphs.made,
         "lengths": [row.size for row in rows],
+        **({"ties": ties.data()} if ties is not None else {}),
     }
-    return Turned(data, packed(rows))
+    return Turned(data, packed(rows), found, slots)
 
 
 def _ends(found: Dense, language: str) -> dict[str, Any]:
@@ -116,7 +148,8 @@ def _ends(found: Dense, language: str) -> dict[str, Any]:
     }
 
 
-def _moving(drawn: Drawn) -> Iterator[Moving]:
+def figures_of(drawn: Drawn) -> Iterator[Moving]:
+    """Yield the figures of a mechanism that move with its crank."""
     for chapter in drawn.project.chapters:
         yield from MovingFigures.of(chapter).figures(drawn)
 
@@ -137,60 +170,43 @@ def _why(found: Dense) -> list[list[Any]]:
     return runs
 
 
-class _Glyphs:
-    """The letters of the page, each once: strokes from the beginning of its base line, their pens."""
+class FigureViews(NamedTuple):
+    """A figure that moves: of a mechanism at every angle, at the sheet's positions exactly, as on the sheet.
 
-    def __init__(self) -> None:
-        self.made: list[list[Any]] = []
-        self._known: dict[tuple[str, float, bool, float], int] = {}
+    ``made``: its ink over the angles.
+    """
 
-    def of(self, text: str, size: float, *, inclined: bool = True, turn: float = 0.0) -> int:
-        """Return the number of a letter; a new one is drawn."""
-        key = (text, size, inclined, turn)
-        if key not in self._known:
-            self._known[key] = len(self.made)
-            written = letter(text, size=size, inclined=inclined)
-            strokes = [
-                [pen, svg_path(written, 0.0, 0.0, angle=turn, pen=pen)] for pen in written.pens
-            ]
-            self.made.append([clean(plain(text)), strokes])
-        return self._known[key]
-
-    def label(self, label: Label) -> list[Any]:
-        """Return a letter that stands: its number, where its base line begins, mm."""
-        written = letter(label.text, size=label.size, inclined=label.inclined)
-        at = label.at - shift(label, written.width)
-        return [
-            self.of(label.text, label.size, inclined=label.inclined, turn=label.turn),
-            round(at.real, 3),
-            round(at.imag, 3),
-        ]
+    found: Dense
+    moving: Moving
+    exact: Moving
+    own: Moving
+    made: Strands
 
 
 def _figure(
-    found: Dense,
-    moving: Moving,
-    exact: Moving,
-    own: Moving,
+    of: FigureViews,
     shown: Mapping[str, Drawing],
     rows: list[Ints],
-    glyphs: _Glyphs,
+    glyphs: Glyphs,
+    ties: Mapping[Key, Tied],
 ) -> dict[str, Any]:
-    made = strands(found, moving)
+    """Return a figure as data; ``rows`` and ``glyphs`` take what is its own."""
+    found, moving, exact, own, made = of
     still = finished(exact.still()) if exact.still is not None else None
     places = lettered(found, moving, made, shown, still)
     packer = Packer()
-    lines = [
-        _line(key, row, packer) for key, row in made.rows.items() if isinstance(key, MovingStroke)
-    ]
+    strokes: dict[MovingStroke, Reals | None] = {
+        key: made.rows.get(key) for key in (*made.rows, *ties) if isinstance(key, MovingStroke)
+    }
+    lines = [_line(key, row, packer, ties.get(key)) for key, row in strokes.items()]
     letters = [
-        [
-            glyphs.of(key.text, key.size),
-            *_coordinates(row, packer, LETTER),
-            _presence(row),
-        ]
+        _letter(key, row, made.rows[key], packer, glyphs, ties.get(key))
         for key, row in places.items()
     ]
+    # letters that stand apart with other lengths alone
+    aside = [[round(x / UNIT)] for x in (BESIDE.real, BESIDE.imag)]
+    only = [key for key in ties if isinstance(key, Letter) and key not in places]
+    letters += [[glyphs.of(key.text, key.size), *aside, 0, ties[key].variants] for key in only]
     begun = len(rows)
     rows += [folded(row, found.whole, made.refined) for row in packer.rows]
     data: dict[str, Any] = {
@@ -215,14 +231,34 @@ def _figure(
     return data
 
 
-def _line(key: MovingStroke, row: Reals, packer: Packer) -> list[Any]:
-    """Return a stroke: its pen, 1 if closed and 2 more if filled, its coordinates, its bulges, where it is."""
+def _line(key: MovingStroke, row: Reals | None, packer: Packer, ties: Tied | None) -> list[Any]:
+    """Return a stroke: its pen, 1 if closed and 2 more if filled, its coordinates, its bulges, where it is.
+
+    Behind that its variants if it is tied; where these tell everything there are no coordinates.
+    """
     flags = int(key.closed) + 2 * int(key.filled)
+    if ties is not None and (ties.whole or row is None):
+        return [key.pen, flags, [], 0, 0, ties.variants]
+    assert row is not None
     told = [_coordinates(row[:, k : k + 2], packer, UNIT) for k in range(0, row.shape[1], 3)]
     bulges: Any = 0
     if np.nan_to_num(row[:, 2::3]).any():
         bulges = [packer.put(row[:, k] * BULGE) for k in range(2, row.shape[1], 3)]
-    return [key.pen, flags, [one for pair in told for one in pair], bulges, _presence(row)]
+    line = [key.pen, flags, [one for pair in told for one in pair], bulges, _presence(row)]
+    return line if ties is None else [*line, ties.variants]
+
+
+def _letter(
+    key: Letter, row: Reals, anchors: Reals, packer: Packer, glyphs: Glyphs, ties: Tied | None
+) -> list[Any]:
+    """Return a letter: its strokes, where its base line begins, where it is.
+
+    Of a tied one how far that is off its point, and its variants, which tell where this is.
+    """
+    told: list[Any] = [glyphs.of(key.text, key.size)]
+    if ties is None or not ties.whole:
+        return [*told, *_coordinates(row, packer, LETTER), _presence(row)]
+    return [*told, *_coordinates(row - anchors, packer, LETTER), 0, ties.variants]
 
 
 def _coordinates(row: Reals, packer: Packer, to: float) -> list[list[int]]:
@@ -276,12 +312,7 @@ def _values(
 ) -> Iterator[dict[str, Any]]:
     """Yield what is told along the positions: its letter and unit, its texts there, its row at all angles."""
     language = found.drawn.scene.language
-    at_angles = {(c.plan, c.segment): c for c in moving.columns()}
-    on_sheet = list(own.columns())
-    for column, figures in zip(on_sheet, rounded_figures(on_sheet), strict=True):
-        dense_ = at_angles.get((column.plan, column.segment))
-        if dense_ is None or not np.isfinite(dense_.value).any():
-            continue
+    for column, dense_, figures in figure_columns(moving, own):
         texts = [
             fixed(value, figures.places, language) if value is not None else None
             for value in figures.value
@@ -294,6 +325,25 @@ def _values(
             "texts": texts,
             **fine(row, rows),
         }
+
+
+def _from_log(
+    found: Dense,
+    figures: Sequence[dict[str, Any]],
+    columns: Sequence[Sequence[Column]],
+    rows: list[Ints],
+) -> frozenset[int]:
+    """Leave to the log of the page what it has of the values of figures; return the marks (slots)."""
+    log, slots = LiveLog(found, Script()), set[int]()
+    for figure, some in zip(figures, columns, strict=True):
+        for value, column in zip(figure["values"], some, strict=True):
+            if place := place_in_log(log, column):
+                row = value["row"]
+                if len(row) > 1:
+                    rows[row[0]] = rows[row[0]][:0]
+                value |= {"row": [0], "log": place}
+                slots.update(place[:2])
+    return frozenset(slots)
 
 
 def fine(row: Reals, rows: list[Ints]) -> dict[str, Any]:

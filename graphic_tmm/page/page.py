@@ -27,14 +27,18 @@ from typing import Any
 from graphic_tmm.accuracy.answer import Answer
 from graphic_tmm.accuracy.answer_text import sentences
 from graphic_tmm.accuracy.figure_inline import inline_figure
+from graphic_tmm.board.record import Step
+from graphic_tmm.board.script import Script
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import environment
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.error_shares import ERRORS, error_shares, marked_up
+from graphic_tmm.page.live.givens import live_log
+from graphic_tmm.page.live.words import LIVE
 from graphic_tmm.page.practice.own import OWN, own
-from graphic_tmm.page.practice.pack import practice
+from graphic_tmm.page.practice.pack import Tables, practice, written_module
 from graphic_tmm.page.practice.words import practice_words
 from graphic_tmm.page.sentences import protocol_of
 from graphic_tmm.page.views import played
@@ -46,8 +50,8 @@ from graphic_tmm.paper.write.svg import ids, svg
 LOWER = 0.2
 """How much lower than its page a figure in print is, mm."""
 
-ACCURACY = "accuracy"
-"""The folder of what tells of accuracy."""
+ACCURACY, LENGTHS, PRACTICE = "accuracy", "live", "practice"
+"""The folders of what tells of accuracy, what lets lengths be changed, and what lets plans be drawn."""
 MAIN, ENTER, WRITTEN = "main", "enter", "written"
 """The module that begins a page; that of a folder which enters its ways of looking; one of the page alone."""
 
@@ -67,14 +71,15 @@ def script(*further: str, written: str = "") -> str:
     """Return the page's program: main.js behind all that it imports, without comments, indents and empty lines.
 
     ``further``: folders whose ways of looking the page has too; ``written``: a module for the page alone, that
-    runs before main.js as if it stood in the first of these. No text of a module goes over a line
+    runs before main.js as if it stood in the folder of practice. No text of a module goes over a line
     (tests/page/test_page.py), so that indents are nobody's.
 
     Raises SheetError where two modules have one name at their top.
     """
-    modules, begun = modules_of(*further), [f"{folder}/{ENTER}" for folder in further]
+    begun = [f"{folder}/{ENTER}" for folder in further]
+    modules = modules_of(*dict.fromkeys((*further, *([PRACTICE] if written else []))))
     if written:
-        begun = [f"{further[0]}/{WRITTEN}", *begun]
+        begun = [f"{PRACTICE}/{WRITTEN}", *begun]
         modules[begun[0]] = written
     needs = {name: imported(name, text) for name, text in modules.items()}
     taken: dict[str, str] = {}
@@ -124,7 +129,7 @@ def modules_of(*folders: str) -> dict[str, str]:
 def folders() -> tuple[str, ...]:
     """Return the folders that enter ways of drawing oneself, practice before those that build on it."""
     found = [one.name for one in _WEB.iterdir() if one.is_dir() and (one / f"{ENTER}.js").is_file()]
-    return tuple(sorted({*found} - {ACCURACY}, reverse=True))
+    return tuple(sorted({*found} - {ACCURACY, LENGTHS}, reverse=True))
 
 
 def _texts(ending: str, *folders: str) -> dict[str, str]:
@@ -160,32 +165,41 @@ def page(
     practised: bool = False,
     seed: int | None = None,
     weighed: Answer | None = None,
+    live: bool = True,
 ) -> str:
     """Return a drawn scene as a page for a browser (HTML), in the scene's language.
 
     ``practised``: with what lets a person draw the plans himself, each posed as ``seed`` says, if it is given;
-    ``weighed``: what accuracy costs in the scene, which is then told, too.
+    ``weighed``: what accuracy costs in the scene, which is then told, too; ``live``: with what lets lengths and
+    other givens of a mechanism that turns be changed.
     """
     from markupsafe import Markup
 
     language = made.scene.language
     data = page_data(made, sheets)
-    turned = crank(made, sheets)
+    turned = crank(made, sheets, live=live)
+    board = Script()
+    tables: Tables = {}
+    logs: Mapping[str, Sequence[Step]] = {}
     if turned is not None:
         data["crank"] = turned.data
         if "ends" in turned.data:
             data["words"] |= _said(ENDS, language)
     further: tuple[str, ...] = ()
-    written = ""
-    if practised and (asked := practice(made, sheets, data["views"], seed)) is not None:
-        data["practice"], written = asked
+    if turned is not None and live:
+        data["live"], logs = live_log(turned.found, turned.slots, board, language)
+        data["words"] |= _said(LIVE, language)
+        further = (LENGTHS,)
+    if practised and (asked := practice(made, sheets, data["views"], seed, board)) is not None:
+        data["practice"], tables = asked
         data["own"] = own(sheets, language)
         data["words"] |= practice_words(language) | _said(OWN, language)
-        further = folders()
+        further = (*folders(), *further)
     if weighed is not None:
         data["accuracy"] = error_shares(weighed, made, data["views"])
         data["words"] |= _said(ERRORS, language)
         further = (*further, ACCURACY)
+    written = written_module(board, tables, logs) if tables or logs else ""
     program, looks = script(*further, written=written), style(*further)
     return (
         environment("graphic_tmm.page")

@@ -16,7 +16,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import isfinite
-from typing import ClassVar, NamedTuple
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -53,10 +53,14 @@ class Moving:
 
 @dataclass(frozen=True)
 class MovingFigures(Answer):
-    """The ``figures`` that a chapter shows of one position, whichever it is."""
+    """The ``figures`` that a chapter shows of one position, whichever it is.
+
+    ``own``: the sheet's drawing and one of all angles -> what of the former's cache the latter has of its own.
+    """
 
     stands: ClassVar[str] = "turning.FIGURES"
     figures: Callable[[Drawn], Iterable[Moving]] = lambda drawn: ()
+    own: Callable[[Drawn, Drawn], Mapping[str, Any]] = lambda sheet, drawn: {}
 
 
 STEP = 5

@@ -6,10 +6,11 @@ A ``Path`` is a tuple of vertices (x, y, bulge): the bulge of the segment to the
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
+
+from graphic_tmm.paper.arithmetic import polar, tangent
 
 Vertex = tuple[float, float, float]
 Path = tuple[Vertex, ...]
@@ -246,9 +247,9 @@ def circle(pen: str, centre: complex, radius: float, *, filled: bool = False) ->
 def arc(pen: str, centre: complex, radius: float, start: float, sweep: float) -> Stroke:
     """Return an arc from the angle ``start`` over ``sweep`` (degrees, counter-clockwise positive)."""
     pieces = max(1, math.ceil(abs(sweep) / 90 - 1e-9))
-    bulge = math.tan(math.radians(sweep / pieces) / 4)
+    bulge = tangent(sweep / pieces / 4)
     path = []
     for k in range(pieces + 1):
-        z = centre + cmath.rect(radius, math.radians(start + sweep * k / pieces))
+        z = centre + polar(radius, start + sweep * k / pieces)
         path.append((z.real, z.imag, bulge if k < pieces else 0.0))
     return Stroke(pen, tuple(path))

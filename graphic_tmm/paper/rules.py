@@ -27,6 +27,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.operations.statics import arm, carry
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.values import Arc, Curve, Kind, Line, Point
+from graphic_tmm.paper.arithmetic import bearing, by_case, outermost
 from graphic_tmm.paper.drawing import Bezier, Ink, arc, circle, line
 from graphic_tmm.paper.seen import Rule, Seen, finite
 
@@ -68,13 +69,13 @@ def drawn_line(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
     if step.op is join:
         end = seen.point(step.uses[1], k)
         found.append((((end - at) * along.conjugate()).real, False))
-    low, high = min(found), max(found)
+    low, high = outermost(found)
     if not finite(at, along) or along == 0:
         return
     if high[0] - low[0] < LEAST:
         low, high = (low[0] - STUB / 2, False), (high[0] + STUB / 2, False)
-    start = low[0] - (BEYOND if low[1] else 0.0)
-    end_ = high[0] + (BEYOND if high[1] else 0.0)
+    start = low[0] - by_case(low[1], BEYOND, 0.0)
+    end_ = high[0] + by_case(high[1], BEYOND, 0.0)
     yield line("thin", at + start * along, at + end_ * along)
 
 
@@ -88,7 +89,7 @@ def struck_arc(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
     half = min(math.degrees(NICK / radius), 45.0)
     near = [z for z in spots if finite(z) and abs(z) > LEAST]
     for z in near:
-        yield arc("thin", centre, radius, math.degrees(math.atan2(z.imag, z.real)) - half, 2 * half)
+        yield arc("thin", centre, radius, bearing(z) - half, 2 * half)
     if not near:
         yield circle("thin", centre, radius)
 

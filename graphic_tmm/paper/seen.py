@@ -14,6 +14,7 @@ from graphic_tmm.board.record import ByIdentity, Construction, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve
 from graphic_tmm.paper.drawing import Ink
 from graphic_tmm.paper.formats import HEIGHTS, Heights
+from graphic_tmm.paper.traced import value_at
 
 Rule = Callable[["Seen", Step, int], Iterable[Ink]]
 """The log and its numbers, a step, a position (index) -> the strokes that it leaves there."""
@@ -52,11 +53,11 @@ class Seen:
 
     def point(self, mark: Mark, k: int) -> complex:
         """Return where a point is, mm; NaN where it cannot be drawn."""
-        return _at(self.reading[mark], k)
+        return value_at(self.reading[mark], k)
 
     def number(self, mark: Mark, k: int) -> float:
         """Return a length (mm), an angle (degrees) or a number."""
-        return _at(self.reading[mark], k).real
+        return value_at(self.reading[mark], k).real
 
     def fixed_place(self, mark: Mark) -> complex:
         """Return where a point is that does not vary, mm."""
@@ -73,12 +74,12 @@ class Seen:
     def line(self, mark: Mark, k: int) -> tuple[complex, complex]:
         """Return where a line begins, mm, and its direction."""
         value = self.reading[mark]
-        return _at(value.at, k), _at(value.along, k)
+        return value_at(value.at, k), value_at(value.along, k)
 
     def arc(self, mark: Mark, k: int) -> tuple[complex, float]:
         """Return the centre and the radius of an arc, mm."""
         value = self.reading[mark]
-        return _at(value.centre, k), _at(value.radius, k).real
+        return value_at(value.centre, k), value_at(value.radius, k).real
 
     def varies(self, step: Step) -> bool:
         """Whether what a step leaves differs from position to position."""
@@ -123,10 +124,6 @@ def _uses(steps: Sequence[Step]) -> Mapping[Mark, tuple[Step, ...]]:
         for mark in dict.fromkeys(step.uses):
             found[mark] = (*found.get(mark, ()), step)
     return found
-
-
-def _at(row: np.ndarray, k: int) -> complex:
-    return complex(row[0, k if row.shape[1] > 1 else 0])
 
 
 def finite(*spots: complex) -> bool:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import cmath
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-import shapely
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Figure, Mark, Step, segment_name
@@ -16,13 +14,14 @@ from graphic_tmm.board.values import Kind, Length, Line, Point
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
+from graphic_tmm.paper.arithmetic import bearing, below, by_case, either, larger, signed, smaller
+from graphic_tmm.paper.covering import Covering
 from graphic_tmm.paper.drawing import Data, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.rules import PRICK, traceless
 from graphic_tmm.paper.seen import Seen, finite
-from graphic_tmm.paper.shapes import shape
 from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
 
@@ -41,10 +40,8 @@ ROUND, ROUNDS = 9.0, 7.0
 SWEEP, PEN = 210.0, 0.6
 """How far the arrow of a couple goes round, degrees: its letter stands at the middle; how far off its line a
 leader to it ends, mm."""
-BESIDE, ON_LINK = 5.0, 1.0
-"""How far from a link an arrow along it stands that finds no end of it; what is nearer lies on it, mm."""
-PIECES = (np.arange(72) + 0.5) / 72
-"""The middles of pieces of an arrow, shares of it: of each it is found out whether it lies on a link."""
+BESIDE = 5.0
+"""How far from a link an arrow along it stands that finds no end of it, mm."""
 STAGGER = 10.0
 """By how much the farther of two arrows on one line outreaches the other, mm."""
 
@@ -89,7 +86,7 @@ def length_of(size: float, largest: float) -> float:
     """Return the conventional length of an arrow, mm: it grows with the force."""
     if not (math.isfinite(size) and largest > 0.0) or size == 0.0:
         return 0.0
-    return SHORTEST + (LONGEST - SHORTEST) * min(1.0, abs(size) / largest)
+    return SHORTEST + (LONGEST - SHORTEST) * smaller(1.0, abs(size) / largest)
 
 
 class Arrows:
@@ -100,7 +97,7 @@ class Arrows:
         self.strokes: list[Stroke] = []
         self._named: list[Wanted] = []
         self.taken: list[tuple[complex, complex, float]] = []
-        self.links = np.array([], dtype=object)
+        self.links = Covering()
 
     @property
     def wanted(self) -> list[Wanted]:
@@ -116,25 +113,14 @@ class Arrows:
     def reach(self, at: complex, way: complex) -> float:
         """Return how far arrows go from a place in a direction already, mm; 0 if none does."""
         there = (
-            length
+            length * below(abs(z - at), LEAST) * below(NEARLY, (way * d.conjugate()).real)
             for z, d, length in self.taken
-            if abs(z - at) < LEAST and (way * d.conjugate()).real > NEARLY
         )
-        return max(there, default=0.0)
+        return larger(0.0, *there)
 
     def stands_on(self, links: Iterable[Ink]) -> None:
-        """Tell the links that arrows stand on (see `off_line`)."""
-        self.links = np.array([_covered(stroke) for stroke in links], dtype=object)
-
-    def off_line(self, at: complex, way: complex, length: float, links: np.ndarray) -> complex:
-        """Return where an arrow of a point begins that shall not lie on the line of a link, mm.
-
-        Where the link is on one side of its point only it stands on the other; where it is on both, beside it.
-        """
-        if not _on_link(at, at + length * way, links):
-            return at
-        taken = self.reach(at, -way) or _on_link(at, at - length * way, links)
-        return at + BESIDE * 1j * way if taken else at - length * way
+        """Tell the links that arrows stand on (see `put`)."""
+        self.links = Covering(_covering(one) for one in links if isinstance(one, Stroke))
 
     def put(
         self,
@@ -148,31 +134,25 @@ class Arrows:
         """Draw an arrow along ``way`` (of length 1) from its point; to it where another goes there already.
 
         Where both sides are taken it outreaches the other. A thin one does not lie on the links, none in the
-        tube of a cylinder.
+        tube of a cylinder: where the link is on one side of its point only it stands on the other; where it is
+        on both, beside it.
         """
         if not (finite(at, way) and length >= LEAST and way):
             return
-        links = self.links if pen == "thin" else self.links[shapely.get_dimensions(self.links) == 2]
-        start = self.off_line(at, way, length, links)
-        if start == at:
-            start, length = self._apart(at, way, length, links)
-        to_it = ((start - at) * way.conjugate()).real < -LEAST
-        self.taken.append((at, -way if to_it else way, length))
+        links = self.links if pen == "thin" else self.links.areas
+        there, on = self.reach(at, way), links.covers(at, at + length * way)
+        behind = either(below(0.0, self.reach(at, -way)), links.covers(at, at - length * way))
+        led = either(on, below(0.0, there)) * (1.0 - behind)
+        start = by_case(on * behind, at + BESIDE * 1j * way, at)
+        start = by_case(led, at - length * way, start)
+        beside = below(0.0, there) * behind * (1.0 - on)
+        length = by_case(beside, larger(length, there + STAGGER), length)
+        self.taken.append((at, by_case(led, -way, way), length))
         shaft, *head = arrow(start, start + length * way, pen)
         self._add([shaft._replace(title=told.title, data=told.data), *head], told.of)
-        end = start if to_it else start + length * way
+        end = by_case(led, start, start + length * way)
         own = (start, start + length * way)
         self._named.append(Wanted(called, end, self.size, 1.5, end - at, told.of, self.index, own))
-
-    def _apart(
-        self, at: complex, way: complex, length: float, links: np.ndarray
-    ) -> tuple[complex, float]:
-        """Return where an arrow of a point begins, and its length, so that it does not lie on another, mm."""
-        if not self.reach(at, way):
-            return at, length
-        if not (self.reach(at, -way) or _on_link(at, at - length * way, links)):
-            return at - length * way, length
-        return at, max(length, self.reach(at, way) + STAGGER)
 
     def couples(self, start: complex, end: complex, told: Sequence[tuple[str, ArrowText]]) -> None:
         """Draw couples as round arrows in their senses, beside one another along a line."""
@@ -181,7 +161,7 @@ class Arrows:
             return
         far, radius = abs(end - start), ROUND if len(there) < 2 else ROUNDS
         way = (end - start) / far if far >= LEAST else 1j
-        pitch = max(far / (len(there) + 1), 2.4 * radius)
+        pitch = larger(far / (len(there) + 1), 2.4 * radius)
         for k, (called, one) in enumerate(there):
             at = (start + end) / 2 + (k - (len(there) - 1) / 2) * pitch * way
             self.couple(at, radius, called, one)
@@ -192,8 +172,8 @@ class Arrows:
         """Draw a couple as a round arrow in its sense about a place, its letter on the side of ``way``."""
         if not (finite(at, told.value) and told.value and way):
             return
-        sense, out = math.copysign(1.0, told.value), way / abs(way)
-        start = math.degrees(cmath.phase(out)) - sense * SWEEP / 2
+        sense, out = signed(1.0, told.value), way / abs(way)
+        start = bearing(out) - sense * SWEEP / 2
         bow, *head = round_arrow(at, radius, start, sense * SWEEP)
         self._add([bow._replace(title=told.title, data=told.data), *head], told.of)
         top = at + radius * out
@@ -203,22 +183,10 @@ class Arrows:
         self.strokes += [s._replace(of=of, position=self.index) for s in strokes]
 
 
-def _covered(stroke: Ink) -> shapely.Geometry:
-    """Return the paper that a stroke of a link covers: a tube hides what lies in it."""
-    if isinstance(stroke, Stroke) and stroke.pen == "body" and stroke.part == "cylinder":
-        return shape(stroke._replace(filled=True))
-    return shape(stroke)
-
-
-def _on_link(start: complex, end: complex, links: np.ndarray) -> bool:
-    """Whether most of a line lies on the lines of links, or in their tubes."""
-    drawn = shapely.LineString([(z.real, z.imag) for z in (start, end)])
-    near = links[shapely.dwithin(links, drawn, ON_LINK)]
-    if not near.size:
-        return False
-    spots = start + PIECES * (end - start)
-    there = shapely.points(spots.real, spots.imag)
-    return bool(shapely.dwithin(near[:, None], there, ON_LINK).any(axis=0).mean() > 0.5)
+def _covering(stroke: Stroke) -> Stroke:
+    """Return a stroke as it covers paper: a tube hides what lies in it."""
+    tube = stroke.pen == "body" and stroke.part == "cylinder"
+    return stroke._replace(filled=True) if tube else stroke
 
 
 def action(seen: Seen, step: Step, k: int) -> tuple[complex, complex, complex]:
@@ -246,7 +214,7 @@ def drawn_on(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
             _, _, foot = action(seen, use, k)
             reach = ((foot - at) * along.conjugate()).real
             if finite(foot) and along != 0 and abs(reach) >= LEAST:
-                yield line("thin", at, foot + along * math.copysign(FURTHER, reach))
+                yield line("thin", at, foot + along * signed(FURTHER, reach))
 
 
 def arm_shows(seen: Seen, step: Step, k: int) -> bool:
@@ -349,7 +317,8 @@ class Bodies:
     @property
     def middle(self) -> complex:
         """The middle of the points of all links."""
-        return complex(np.mean([end for name in self.names for end in self.ends(name)]))
+        ends = [end for name in self.names for end in self.ends(name)]
+        return sum(ends) / len(ends)
 
     def ends(self, name: str) -> tuple[complex, complex]:
         """Between which of its points couples on a link are drawn: those farthest apart."""

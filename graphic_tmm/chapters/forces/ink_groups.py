@@ -38,6 +38,7 @@ from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
+from graphic_tmm.paper.arithmetic import larger, signed
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.lettering.markup import markup
@@ -192,7 +193,7 @@ class _Loads:
         self.arrows = Arrows(index, on.heights.point)
         self.offs: list[Wanted] = []
         sizes = [abs(seen.number(force.value, index)) for force in shown.forces]
-        self.largest = max((size for size in sizes if finite(size)), default=0.0)
+        self.largest = larger(0.0, *(size for size in sizes if finite(size)))
 
     def called(self, letter: str) -> str:
         """Return what a letter of the log is called in the language of the sheet."""
@@ -271,9 +272,9 @@ class _Loads:
                 of = (point.slot, one.radius.slot)
                 yield circle("thin", at, rho)._replace(of=of, position=k)
                 more = (one.couple.value.slot, one.tail.slot, one.head.slot)
-                for touching in self._touching(one, at, math.copysign(rho, turns)):
+                for touching in self._touching(one, at, signed(rho, turns)):
                     yield touching._replace(of=(*of, *more), position=k)
-            radius = max(ROUNDS, rho + 2.0) + STEP * pins.count(one.pin)
+            radius = larger(ROUNDS, rho + 2.0) + STEP * pins.count(one.pin)
             called, told = self._couple(one.couple, turns)
             out = (at - middle or 1j) * ASIDE ** pins.count(one.pin)
             self.arrows.couple(at, radius, called, told, out)

@@ -5,7 +5,6 @@ The plan, the lines of action and the arms are to scale; the arrows of forces ar
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from itertools import combinations
 
@@ -30,6 +29,7 @@ from graphic_tmm.chapters.forces.lever import Carried, Lever
 from graphic_tmm.chapters.forces.tool import Tool
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
+from graphic_tmm.paper.arithmetic import larger, smaller
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.formats import Heights
@@ -98,7 +98,7 @@ def _sides(seen: Seen, lever: Lever, k: int) -> Iterator[Ink]:
         for pair in combinations(marks, 2):
             ends = [seen.point(mark, k) for mark in pair]
             apart = [abs(ends[0] - ends[1]), *(abs(z - at_pole) for z in ends)]
-            if frozenset(pair) not in done and min(apart) >= LEAST:
+            if frozenset(pair) not in done and smaller(*apart) >= LEAST:
                 yield from body([line("medium", *ends)], "link", pair, k)
             done.add(frozenset(pair))
 
@@ -119,7 +119,7 @@ class _Loads:
         self.language, self.high = on.language, on.heights
         self.arrows = Arrows(index, on.heights.point)
         sizes = [seen.number(mark, index) for mark in (*(f.value for f in carried), lever.force)]
-        self.largest = max((abs(size) for size in sizes if math.isfinite(size)), default=0.0)
+        self.largest = larger(0.0, *(abs(size) for size in sizes if finite(size)))
 
     def force(
         self,

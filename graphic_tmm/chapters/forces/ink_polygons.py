@@ -22,6 +22,7 @@ from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.rules import BEYOND, drawn_line
 from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
+from graphic_tmm.paper.traced import value_at
 
 __all__ = ["LEAST", "bar", "draw_polygon", "spot", "whole"]
 
@@ -38,8 +39,7 @@ def bar(letter: str) -> str:
 
 def spot(reading: Reading, mark: Mark, index: int) -> complex:
     """Return where a mark is in one position."""
-    row = reading[mark][0]
-    return complex(row[index if row.size > 1 else 0])
+    return value_at(reading[mark], index)
 
 
 def whole(reading: Reading, polygon: Polygon, reactions: Sequence[Reaction], index: int) -> bool:

@@ -10,9 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import NamedTuple
 
-import numpy as np
-
 from graphic_tmm.chapters.kinematics.reaches import Reach
+from graphic_tmm.paper.arithmetic import bearing, larger, smaller
 from graphic_tmm.paper.drawing import Stroke, line
 from graphic_tmm.paper.labels import TOGETHER
 from graphic_tmm.paper.symbols.kinematic import (
@@ -54,9 +53,10 @@ class Cylinder(NamedTuple):
 def cylinder(reach: Reach) -> Cylinder:
     """Return the cylinder whose piston rod's pin moves over a reach (mm) of the axis."""
     sense = -1.0 if reach.low + reach.high > 0.0 else 1.0
-    far, near = sorted((sense * reach.low, sense * reach.high))
+    ends = sense * reach.low, sense * reach.high
+    far, near = smaller(*ends), larger(*ends)
     inside = near - far + PISTON_LENGTH + 2 * ROOM
-    closed = max(near + OUT + inside, -BEFORE)
+    closed = larger(near + OUT + inside, -BEFORE)
     return Cylinder(sense, closed - inside, closed, closed - ROOM - PISTON_LENGTH / 2 - near)
 
 
@@ -93,26 +93,24 @@ class Placed(NamedTuple):
 
     def head(self, pin: complex) -> Iterator[Stroke]:
         """Yield the piston."""
-        yield from piston(self.piston(pin), float(np.degrees(np.angle(self.way))))
+        yield from piston(self.piston(pin), bearing(self.way))
 
     def axis(self, pin: complex) -> tuple[complex, complex]:
         """Return the ends of the axis between the piston and the pivot, if that is behind it."""
         piston = self.piston(pin)
         behind = ((piston - self.foot) / self.way).real
-        return piston, self.foot + max(behind, 0.0) * self.way
+        return piston, self.foot + larger(behind, 0.0) * self.way
 
     def guide(self, pin: complex) -> tuple[complex, complex]:
         """Return the ends of the line that the guide is lettered at: from the piston to behind the tube."""
-        return self.piston(pin), self.foot + (max(self.of.closed, 0.0) + BEYOND) * self.way
+        return self.piston(pin), self.foot + (larger(self.of.closed, 0.0) + BEYOND) * self.way
 
     def held(self, spots: list[complex], pen: str) -> Iterator[Stroke]:
         """Yield what holds points of the link to its tube: the shortest way from each that lies off it."""
         for spot in spots:
             own = (spot - self.foot) / self.way
-            near = complex(
-                min(max(own.real, self.of.open), self.of.closed),
-                min(max(own.imag, -TUBE_WIDTH / 2), TUBE_WIDTH / 2),
-            )
+            along = smaller(larger(own.real, self.of.open), self.of.closed)
+            near = along + 1j * smaller(larger(own.imag, -TUBE_WIDTH / 2), TUBE_WIDTH / 2)
             if abs(own - near) > TOGETHER:
                 yield line(pen, spot, self.foot + near * self.way)
 

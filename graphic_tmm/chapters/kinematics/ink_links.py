@@ -13,7 +13,6 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
-import numpy as np
 import shapely
 
 from graphic_tmm.board.execute import Reading
@@ -22,6 +21,7 @@ from graphic_tmm.chapters.kinematics.figures import CONTENTS, SLIDING, rigid
 from graphic_tmm.chapters.kinematics.ink_cylinder import Placed, cylinder
 from graphic_tmm.chapters.kinematics.ink_supports import supports
 from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
+from graphic_tmm.paper.arithmetic import bearing, coordinates, decided, larger, smaller
 from graphic_tmm.paper.drawing import Ink, Stroke, circle, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.labels import TOGETHER
@@ -35,6 +35,7 @@ from graphic_tmm.paper.symbols.kinematic import (
     stone,
     turning_pair,
 )
+from graphic_tmm.paper.traced import value_at
 from graphic_tmm.readers.equations import ends_of
 
 MAIN = ("rod", "main")
@@ -93,17 +94,17 @@ class LinksInk:
 
     def at(self, mark: Mark, index: int) -> complex:
         """Return where a point is in one position."""
-        return _place(self.reading[mark], index)
+        return value_at(self.reading[mark], index)
 
     def way(self, line: Mark, index: int) -> complex:
         """Return the direction of a line in one position."""
-        return _place(self.reading[line].along, index)
+        return value_at(self.reading[line].along, index)
 
     def along(self, figure: Figure, index: int) -> complex:
         """Return the direction of a guide or of what slides on it, in one position."""
         _, path, *side = figure.marks
-        sense = _place(self.reading[side[0]], index) if side else 1.0
-        return _place(self.reading[path].along, index) * sense
+        sense = value_at(self.reading[side[0]], index) if side else 1.0
+        return value_at(self.reading[path].along, index) * sense
 
     def spots(self, name: str, index: int) -> list[complex]:
         """Return where the points of a link's rigid figure are."""
@@ -121,7 +122,9 @@ class LinksInk:
             own = [(z - holder) / way for z in spots]
             ends = [z.real for z in own if abs(z.imag - lift) <= TOGETHER]
             ends += [0.0, reach.low - THROUGH, reach.high + THROUGH]
-            found.append(Bar((foot + min(ends) * way, foot + max(ends) * way), foot, holder))
+            found.append(
+                Bar((foot + smaller(*ends) * way, foot + larger(*ends) * way), foot, holder)
+            )
         return found
 
     def _held(self, figure: Figure, index: int) -> tuple[complex, complex]:
@@ -156,7 +159,7 @@ class LinksInk:
         for figure in self.of(name, "piston"):
             pin, placed = self.foot(figure, index), self.cylinder(figure, index)
             own = [(z - pin) / placed.way for z in spots]
-            behind = min([0.0, *(z.real for z in own if abs(z.imag) <= TOGETHER)])
+            behind = smaller(0.0, *(z.real for z in own if abs(z.imag) <= TOGETHER))
             end = placed.face(pin) if heavy else placed.piston(pin)
             found.append(Bar((pin + behind * placed.way, end), pin, pin))
         return found
@@ -164,8 +167,8 @@ class LinksInk:
     def foot(self, figure: Figure, index: int) -> complex:
         """Return where a stone stands on its line: at its point, or at the foot of a square from there."""
         at, path, *_ = figure.marks
-        spot, way = self.at(at, index), _place(self.reading[path].along, index)
-        through = _place(self.reading[path].at, index)
+        spot, way = self.at(at, index), value_at(self.reading[path].along, index)
+        through = value_at(self.reading[path].at, index)
         return through + ((spot - through) / way).real * way
 
     def marks(self, name: str) -> list[Mark]:
@@ -242,7 +245,7 @@ class LinksInk:
         foot = self.foot(figure, index)
         if figure.kind == "piston":
             return self.cylinder(figure, index).head(foot)
-        angle = float(np.degrees(np.angle(self.along(figure, index))))
+        angle = bearing(self.along(figure, index))
         return (slider if figure.kind == "slider" else stone)(foot, angle, pin=False)
 
     def point(self, mark: Mark, index: int | None) -> list[Ink]:
@@ -291,9 +294,9 @@ class LinksInk:
             inked += [tube.corners for _, tube in self._tubes(name, index)]
             inked += [spots] if spots else []
             ink = shapely.union_all(
-                [shapely.MultiPoint([(z.real, z.imag) for z in part]).convex_hull for part in inked]
+                [shapely.MultiPoint(coordinates(part)).convex_hull for part in inked]
             )
-            if ink.distance(shapely.Point(spot.real, spot.imag)) > 2 * CENTRE_RADIUS:
+            if ink.distance(shapely.Point(*coordinates([spot]))) > 2 * CENTRE_RADIUS:
                 pen = "main" if len(inked) == len(spots) == 1 else "thin"
                 ties = [line(pen, end, spot) for end in spots[:2]]
                 made += body(ties, "centre", [*self.marks(name), *figure.marks], index)
@@ -309,14 +312,10 @@ class LinksInk:
     def rail(self, figure: Figure) -> tuple[complex, complex]:
         """Return the ends of a guide of the frame."""
         reach, path = self.reaches[figure], figure.marks[1]
-        way, through = self.along(figure, 0), _place(self.reading[path].at, 0)
+        way, through = self.along(figure, 0), value_at(self.reading[path].at, 0)
         anchor = self.spots(self.frame.name, 0)[reach.anchor]
         foot = through + ((anchor - through) / way).real * way
         return foot + (reach.low - OVERRUN) * way, foot + (reach.high + OVERRUN) * way
-
-
-def _place(row: np.ndarray, index: int) -> complex:
-    return complex(row[0, index if row.shape[1] > 1 else 0])
 
 
 def named(guide: Figure) -> str:
@@ -352,13 +351,22 @@ def _outline(spots: Sequence[complex], pen: str) -> list[Stroke]:
     way = (far[1] - far[0]) / abs(far[1] - far[0])
     if all(abs(((z - far[0]) / way).imag) <= TOGETHER for z in apart):
         return [line(pen, *far)]
-    edge = shapely.MultiPoint([(z.real, z.imag) for z in apart]).convex_hull.boundary
-    corners = [complex(*xy) for xy in shapely.get_coordinates(edge)[:-1]]
+    edge = shapely.MultiPoint(coordinates(apart)).convex_hull.boundary
+    own = dict(zip(coordinates(apart), apart, strict=True))
+    corners = [own[x, y] for x, y in shapely.get_coordinates(edge)[:-1].tolist()]
+    decided(*_hull(corners, apart))
     made = [line(pen, *corners, closed=True)]
     for spot in apart:
-        if edge.distance(shapely.Point(spot.real, spot.imag)) > TOGETHER:
+        if edge.distance(shapely.Point(*coordinates([spot]))) > TOGETHER:
             made.append(line(pen, *_tied(spot, corners)))
     return made
+
+
+def _hull(corners: Sequence[complex], spots: Sequence[complex]) -> Iterator[bool]:
+    """Yield the comparisons by which an outline has its corners: it begins below, all lies on its right."""
+    yield from (z.imag < corners[0].imag for z in corners)
+    for a, b in zip(corners, (*corners[1:], corners[0]), strict=True):
+        yield from (((z - a) * (b - a).conjugate()).imag > TOGETHER for z in spots)
 
 
 def _tied(spot: complex, corners: Sequence[complex]) -> tuple[complex, complex, complex]:

@@ -20,6 +20,7 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics.accelerations import VIEW as ACCELERATIONS
 from graphic_tmm.chapters.kinematics.motion import Vector, vectors
 from graphic_tmm.language.symbols import symbol
+from graphic_tmm.paper.arithmetic import larger
 from graphic_tmm.paper.drawing import EQUATIONS, Drawing, Ink, Label, Stroke, Wanted
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.formats import HEIGHTS, Heights
@@ -84,8 +85,8 @@ def _manner(seen: Seen, told: Sequence[Vector], mu: float, unit: str, *, common:
         for one in told
         for k in seen.positions
     ]
-    longest = max((length for length in lengths if np.isfinite(length)), default=0.0)
-    least = max(SHORTEST * longest, 0.5)
+    longest = larger(0.0, *(length for length in lengths if np.isfinite(length)))
+    least = larger(SHORTEST * longest, 0.5)
     by_mark = {one.step.it: one for one in told}
 
     def vector(seen: Seen, step: Step, k: int) -> Iterator[Ink]:

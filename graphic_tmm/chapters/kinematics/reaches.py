@@ -10,6 +10,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Figure
 from graphic_tmm.chapters.kinematics.figures import rigid
 from graphic_tmm.chapters.kinematics.survey import Survey
+from graphic_tmm.paper.arithmetic import extremes
+from graphic_tmm.paper.traced import value_at
 
 VIEW = "positions"
 
@@ -71,16 +73,14 @@ def reach_of(
     at, line, *side = guide.marks
     way = reading[line].along * (reading[side[0]] if side else 1.0)
     stone = reading[at]
-    own = np.broadcast_arrays(
-        *((stone - reading[mark]) * np.conj(way) for mark in rigid(log.figures, guide.name))
-    )
-    there = np.flatnonzero(np.isfinite(np.sum(own, axis=0))[0])
+    own = [(stone - reading[mark]) * np.conj(way) for mark in rigid(log.figures, guide.name)]
+    defined = np.isfinite(sum(own))[0]
+    there = np.flatnonzero(defined)
     if index is not None:
-        there = there[there == min(index, own[0].shape[1] - 1)]
+        there = there[there == min(index, defined.size - 1)]
     if not there.size:
         return Reach(anchor or 0, 0.0, 0.0)
     first = int(there[0])
     if anchor is None:
-        anchor = min(range(len(own)), key=lambda k: float(abs(own[k][0, first].imag)))
-    along = own[anchor][0, there].real
-    return Reach(anchor, float(along.min()), float(along.max()))
+        anchor = min(range(len(own)), key=lambda k: abs(complex(value_at(own[k], first)).imag))
+    return Reach(anchor, *extremes(own[anchor], [int(k) for k in there]))

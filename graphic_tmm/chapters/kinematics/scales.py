@@ -223,12 +223,15 @@ def outlying(drawn: Drawn, language: str) -> Iterator[str]:
             )
 
 
+REACHES = f"{KINEMATICS} reaches"
+"""How far every guide is used is cached with a drawing by this name."""
+
+
 def reaches(drawn: Drawn) -> dict[Figure, Reach]:
     """Return how far every guide is used over the turn, mm on the sheet; found once for a drawing."""
-    key = f"{KINEMATICS} reaches"
-    if key not in drawn.cache:
-        drawn.cache[key] = _reaches(drawn)
-    found: dict[Figure, Reach] = drawn.cache[key]
+    if REACHES not in drawn.cache:
+        drawn.cache[REACHES] = _reaches(drawn)
+    found: dict[Figure, Reach] = drawn.cache[REACHES]
     return found
 
 

@@ -9,12 +9,13 @@ import numpy as np
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.outside import stand, stand_out
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.ink_numbers import Letters
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import FULL, PATHS, PositionsInk, path_stays
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN, KinematicPlans
-from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
+from graphic_tmm.chapters.kinematics.scales import REACHES, reaches
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.survey import least_angle
 from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
@@ -44,6 +45,9 @@ VECTORS: tuple[tuple[Plan, Quantity, Quantity], ...] = (
     ("accelerations", "accelerations", "epsilon"),
 )
 """The plans of vectors: what stands for what of points and of links."""
+
+CUT = 0.01
+"""A guide that is shorter than it is used by less than this is not cut short, mm."""
 
 
 def free(scene: Scene) -> Scene:
@@ -125,11 +129,11 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
 def _mechanism(drawn: Drawn) -> Callable[[int], Drawing]:
     size = heights(drawn.scene, POSITIONS).point
     ink = PositionsInk(drawn.construction, drawn.reading, reaches(drawn), [0])
-    names, rails = (ink.frame.name, *ink.names), ink.guides()
+    names = (ink.frame.name, *ink.names)
 
     def at(place: int) -> Drawing:
         wanted = tuple(ink.letters(names, place, size))
-        return Drawing(POSITIONS, "", (*rails, *ink.heavy(place)), wanted=wanted)
+        return Drawing(POSITIONS, "", (*ink.guides(), *ink.heavy(place)), wanted=wanted)
 
     return at
 
@@ -177,5 +181,21 @@ def _passed(project: Project) -> Passed:
     return Passed(whole, least_angle(plans.tried, plans.ends), ends=True)
 
 
+def _reaches(sheet: Drawn, drawn: Drawn) -> dict[str, dict[Figure, Reach]]:
+    """Return how far every guide is used in a drawing at all angles, as it caches that.
+
+    Those that a sheet cuts short are as they are there.
+    """
+    made, per = KINEMATICS_PLAN.on(drawn), 1.0 / sheet.scales[POSITIONS].value
+    found = {}
+    for guide, shown in reaches(sheet).items():
+        whole = made.reaches[guide].times(per)
+        cut = max(abs(shown.low - whole.low), abs(shown.high - whole.high)) > CUT
+        found[guide] = (
+            shown if cut else reach_of(drawn.construction, drawn.reading, guide, whole.anchor)
+        )
+    return {REACHES: found}
+
+
 TURNING = Turning(between=between, passed=_passed, told=quantities, free=free)
-FIGURES = MovingFigures(moving)
+FIGURES = MovingFigures(moving, _reaches)

@@ -48,19 +48,33 @@ SOUGHT = {
     "rate": said("Calculate {listed}."),
 }
 """What is done with what a check reads of a plan, by what that is."""
+Tables = Mapping[str, Mapping[str, Any]]
 HEAD = 'import { ARITHMETIC } from "./arithmetic.js";\nimport { enterBoard } from "./board.js";\n'
 """What the module that is written down needs of the page."""
+
+
+def written_module(
+    script: Script, tables: Tables, logs: Mapping[str, Sequence[Step]] | None = None
+) -> str:
+    """Return the module that enters what is written down of the board; see `Script.program`."""
+    return HEAD + script.program(tables, "enterBoard", logs)
 
 
 class Packing:
     """A row of positions while it is written down."""
 
-    def __init__(self, made: DrawnScene, row: PoseRow, sheets: Sequence[Sheet]) -> None:
+    def __init__(
+        self,
+        made: DrawnScene,
+        row: PoseRow,
+        sheets: Sequence[Sheet],
+        script: Script | None = None,
+    ) -> None:
         self.made, self.row, self.sheets = made, row, sheets
         self.language = made.scene.language
         self.named: Named = {m: told for m, told in readable(made).items() if m.view in row.places}
         self.lines = {step.it: step for step in row.log.steps}
-        self.script = Script()
+        self.script = Script() if script is None else script
         self.operations = written(self.script, row.steps)
         self.steps = [step for step in row.steps if step.op.name in self.operations]
         self.count = len(row.own[0].names if row.own else row.names)
@@ -76,11 +90,15 @@ class Packing:
         found = {m.slot: m for step in self.steps for m in (step.it, *step.uses)}
         return [found[slot] for slot in sorted(found)]
 
+    @property
+    def tables(self) -> Tables:
+        """What the page's program has of the board: the operations, and how it judges, by their names."""
+        judging = {function.__name__: function for function in slips.FUNCTIONS}
+        return {"operations": self.operations, "slips": judging}
+
     def program(self) -> str:
         """Return the module of the page's program that has the operations."""
-        judging = {function.__name__: function for function in slips.FUNCTIONS}
-        tables = {"operations": self.operations, "slips": judging}
-        return HEAD + self.script.program(tables, "enterBoard")
+        return written_module(self.script, self.tables)
 
     def data(self, views: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         """Return the data; ``views``: those of the page."""
@@ -242,15 +260,17 @@ def practice(
     sheets: Sequence[Sheet],
     views: Sequence[Mapping[str, Any]],
     seed: int | None = None,
-) -> tuple[dict[str, Any], str] | None:
-    """Return what is packed for practice, and the module with its operations; None where nothing is practised.
+    script: Script | None = None,
+) -> tuple[dict[str, Any], Tables] | None:
+    """Return what is packed for practice, and the tables of its operations; None where nothing is practised.
 
-    ``made``: drawn by the exact hand; ``views``: those of the page; ``seed``: of further poses, None for none.
+    ``made``: drawn by the exact hand; ``views``: those of the page; ``seed``: of further poses, None for none;
+    ``script``: which writes the operations down.
     """
     row = sheet_row(made)
     if row is None:
         return None
     others = None if seed is None else posed(row, seed)
     row = row if others is None else with_others(row, others)
-    packing = Packing(made, row, sheets)
-    return packing.data(views), packing.program()
+    packing = Packing(made, row, sheets, script)
+    return packing.data(views), packing.tables

@@ -3,7 +3,7 @@ import { element, iconButton, typeset } from "./dom.js";
 import { growApart } from "./enlarge.js";
 import { Moving } from "./moving.js";
 import { placeOf } from "./strokes.js";
-import { fixedText, fourFigures, Values } from "./crank-values.js";
+import { fixedText, fourFigures, NONE, Values } from "./crank-values.js";
 
 /**
  * @typedef {import("./types.js").Data} Data
@@ -32,12 +32,13 @@ const ABOUT = 6;
  * @param {Data} data
  * @param {Dense} dense
  * @param {Int32Array[]} packed
+ * @param {import("./lengths.js").Lengths | null} lengths that can be changed
  * @returns {Card[]}
  */
-export function cardsOf(data, dense, packed) {
+export function cardsOf(data, dense, packed, lengths = null) {
   const figures = dense.figures.map((figure) => {
-    const values = new Values(dense, figureValues(dense, figure, packed));
-    const make = () => new Moving(dense, figure, packed);
+    const values = new Values(dense, figureValues(dense, figure, packed, lengths));
+    const make = () => new Moving(dense, figure, packed, lengths?.ink ?? null);
     return card(figure.name, figure.title, figure.caption, figure.box, values, make, figure, data.words["fit now"]);
   });
   const ids = [...new Set(dense.cursors.map((one) => one.view))];
@@ -66,14 +67,27 @@ export function cardsOf(data, dense, packed) {
  * @param {Dense} dense
  * @param {MovingFigure} figure
  * @param {Int32Array[]} packed
+ * @param {import("./lengths.js").Lengths | null} lengths
  */
-function figureValues(dense, figure, packed) {
+function figureValues(dense, figure, packed, lengths) {
   return figure.values.map((value) => {
     const [n = 0, by] = value.row;
-    const own = (/** @type {number} */ k) => (by === undefined ? n : (packed[n]?.[k] ?? 0)) * value.worth;
+    const { log } = value;
+    const own = (/** @type {number} */ k) => {
+      if (log !== undefined) return lengths?.number(log, k) ?? NaN;
+      return (by === undefined ? n : (packed[n]?.[k] ?? 0)) * value.worth;
+    };
     // what never changes is told as at the positions
-    const still = by === undefined ? value.texts.find((text) => text !== null) : undefined;
-    return { ...value, number: (/** @type {number} */ k) => still ?? fixedText(own(k), value.places, dense.decimal) };
+    const still = by === undefined && log === undefined ? value.texts.find((text) => text !== null) : undefined;
+    const text = (/** @type {number} */ number) => (Number.isFinite(number) ? fixedText(number, value.places, dense.decimal) : NONE);
+    return {
+      ...value,
+      number: (/** @type {number} */ k) => still ?? text(own(k)),
+      live(/** @type {number} */ k) {
+        if (lengths === null || !lengths.changed()) return undefined;
+        return log === undefined ? null : text(own(k));
+      },
+    };
   });
 }
 

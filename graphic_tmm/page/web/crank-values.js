@@ -9,11 +9,12 @@ import { element, typeset } from "./dom.js";
 /**
  * Something that is told at every angle: its letter, its unit, Python's own texts at the positions, a number between.
  * @typedef {{letter: string, unit: string, texts: (string | null)[], there: There,
- *   number: (k: number) => string}} Told
+ *   number: (k: number) => string, live?: (k: number) => string | null | undefined}} Told `live`: with lengths that are
+ *   not as given; null of what is of the sheet alone, undefined while all is as given
  */
 
 /** What stands where there is no figure. */
-const NONE = "";
+export const NONE = "";
 
 /**
  * A list of what is told, each with the text that changes.
@@ -44,7 +45,9 @@ export class Values {
     const position = this.positions.get(k);
     for (const { value, text, row } of this.cells) {
       const own = position === undefined ? null : (value.texts[position] ?? null);
-      const now = !drawn || !isThere(value.there, k) ? NONE : (own ?? value.number(k));
+      const live = drawn ? value.live?.(k) : undefined;
+      const now = live ?? (!drawn || !isThere(value.there, k) ? NONE : (own ?? value.number(k)));
+      row.classList.toggle("of-sheet", live === null);
       if (text.data !== now) text.data = now;
       row.classList.toggle("gone", now === NONE);
     }

@@ -4,6 +4,7 @@ import { indexAt, turnAt, turnWithin, whyNot } from "./dense.js";
 import { element, filled, typeset } from "./dom.js";
 import { putHandle } from "./handle.js";
 import { listenToKeys } from "./keys.js";
+import { LENGTHS } from "./lengths.js";
 import { unpackedRows } from "./pack.js";
 import { choices, LEAP, positionButtons, runner, turningRange } from "./controls.js";
 import { placeText } from "./crank-values.js";
@@ -48,7 +49,8 @@ export function crankRoom(data, state) {
  */
 function fill(room, data, dense, state, packed) {
   const say = (/** @type {string} */ key) => data.words[key] ?? key;
-  const cards = cardsOf(data, dense, packed);
+  const lengths = LENGTHS.begin?.(data, dense, show) ?? null;
+  const cards = cardsOf(data, dense, packed, lengths);
   const chosen = new Set(cards.slice(0, FIRST));
   const { engine, parts } = runner(say, run);
   const range = turningRange(say("angle"), dense, stand);
@@ -61,13 +63,14 @@ function fill(room, data, dense, state, packed) {
   const grid = element("div", { class: "cards" });
   for (const card of cards) (card.leads ? room : grid).append(card.figure);
   const seen = watched(cards, show);
-  room.append(element("div", { class: "tools" }, bar, range, row, choice), grid);
-  /** @type {(turn: number) => void} */
+  room.append(element("div", { class: "tools" }, bar, range, row, choice, ...(lengths === null ? [] : [lengths.panel])), grid);
+  /** @type {(turn: number, pin?: import("./types.js").Complex | null) => void} */
   let hold = () => {};
   const lead = cards.find((card) => card.leads !== null);
   if (lead?.leads) {
     lead.figure.classList.add("lead");
     if (lead.leads.crank?.length) hold = putHandle(dense, lead.leads, lead.built().svg, () => state.place.turn, stand);
+    lengths?.lead(lead.built().svg);
     lead.figure.append(why);
   }
 
@@ -98,9 +101,10 @@ function fill(room, data, dense, state, packed) {
 
   function show() {
     const k = indexAt(dense, state.place.turn);
-    const reason = whyNot(dense, k);
+    const reason = lengths?.why(k) ?? whyNot(dense, k);
     for (const card of cards) if (chosen.has(card) && seen.has(card)) card.show(k, reason === "");
-    hold(turnAt(dense, k));
+    hold(turnAt(dense, k), lengths?.pin(k));
+    lengths?.stand(k);
     range.value = String(Math.round(turnAt(dense, k)));
     const name = dense.positions.find(([, index]) => index === k)?.[0];
     const place = `${placeText(dense, k)}${name === undefined ? "" : `, ${say("position").toLowerCase()} ${name}`}`;

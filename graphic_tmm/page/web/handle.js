@@ -16,7 +16,8 @@ const SIZE = 0.03;
  * @param {SVGElement} svg
  * @param {() => number} turn where the crank is now
  * @param {(turn: number) => void} go
- * @returns {(turn: number) => void} lets the handle stand at a turn
+ * @returns {(turn: number, pin?: import("./types.js").Complex | null) => void} lets the handle stand at a turn, where the
+ *   pin is if it is not as given
  */
 export function putHandle(dense, figure, svg, turn, go) {
   const per = dense.ends?.per ?? dense.sense;
@@ -82,9 +83,9 @@ export function putHandle(dense, figure, svg, turn, go) {
     return ((((to - from + round / 2) % round) + round) % round) - round / 2;
   }
 
-  return (at) => {
+  return (at, pin = null) => {
     const angle = ((dense.zero + per * at) * Math.PI) / 180;
-    ring.setAttribute("cx", String(x + length * Math.cos(angle)));
-    ring.setAttribute("cy", String(-(y + length * Math.sin(angle))));
+    ring.setAttribute("cx", String(pin?.re ?? x + length * Math.cos(angle)));
+    ring.setAttribute("cy", String(-(pin?.im ?? y + length * Math.sin(angle))));
   };
 }

@@ -6,6 +6,9 @@ import { hundredths, pathOf, placeOf } from "./strokes.js";
  * @typedef {import("./types.js").Dense} Dense
  * @typedef {import("./types.js").MovingFigure} MovingFigure
  * @typedef {import("./types.js").Glyph} Glyph
+ * @typedef {import("./types.js").Variant} Variant
+ * @typedef {import("./live/tied.js").Expressions} Expressions
+ * @typedef {import("./live/liveink.js").LiveInk} LiveInk
  */
 
 /** White about a letter that stands on lines, in widths of its pen. */
@@ -19,9 +22,11 @@ export class Moving {
    * @param {Dense} dense
    * @param {MovingFigure} figure
    * @param {Int32Array[]} packed
+   * @param {LiveInk | null} ink what the figure is tied to
    */
-  constructor(dense, figure, packed) {
+  constructor(dense, figure, packed, ink = null) {
     this.figure = figure;
+    this.ink = ink;
     const [begun, count] = figure.rows;
     const kept = packed.slice(begun, begun + count);
     const rows = kept.map((row) => spreadRow(row, dense.whole, dense.step, figure.refined));
@@ -38,14 +43,15 @@ export class Moving {
       this.svg.append(drawnElement("g", { class: "stays", transform: `translate(${x} ${-y})` }, written(dense.glyphs[n])));
     }
     const letters = drawnElement("g", { class: "letters" });
-    for (const [n, x, y, there] of figure.letters) {
+    for (const [n, x, y, there, variants] of figure.letters) {
       const made = drawnElement("g", {}, written(dense.glyphs[n]));
       const [u, v] = [placeOf(x, rows), placeOf(y, rows)];
-      this.act(made, there, (k) => moved(made, u(k), v(k)));
+      if (variants === undefined) this.act(made, there, (k) => moved(made, u(k), v(k)));
+      else this.tie(made, variants, ([, [at = 0]], { re, im }, k) => moved(made, (re[at] ?? 0) + u(k), (im[at] ?? 0) + v(k)));
       letters.append(made);
     }
     this.body.append(letters);
-    this.last = -1;
+    this.last = "";
   }
 
   /**
@@ -53,13 +59,24 @@ export class Moving {
    * @param {Float32Array[]} rows
    * @param {Map<string, Element>} pens
    */
-  line([pen, flags, coordinates, bends, there], rows, pens) {
+  line([pen, flags, coordinates, bends, there, variants], rows, pens) {
     const made = drawnElement("path", flags >= 2 ? { fill: "var(--ink)", stroke: "none" } : {});
     const closed = flags % 2 === 1;
     const places = coordinates.map((one) => placeOf(one, rows));
     const bulges = bulgesOf(bends, rows);
     const at = new Float64Array(places.length);
     pens.get(pen)?.append(made);
+    if (variants !== undefined) {
+      this.tie(made, variants, ([, nodes, bent], { re, im }) => {
+        const own = new Float64Array(2 * nodes.length);
+        nodes.forEach((node, n) => {
+          own[2 * n] = re[node] ?? NaN;
+          own[2 * n + 1] = im[node] ?? NaN;
+        });
+        made.setAttribute("d", pathOf(own, bent === 0 ? null : bent.map((node) => re[node] ?? 0), closed));
+      }, coordinates.length === 0);
+    }
+    if (coordinates.length === 0) return;
     if (rigid(coordinates, bends)) {
       const first = [apart(coordinates[0]), apart(coordinates[1])];
       coordinates.forEach((one, n) => (at[n] = apart(one) - (first[n % 2] ?? 0)));
@@ -75,19 +92,35 @@ export class Moving {
   }
 
   /**
-   * Let something follow the angle wherever it is there.
+   * Let something follow the angle wherever it is there, with the lengths that are given.
    * @param {SVGElement} made
    * @param {number[] | 0} runs
    * @param {(k: number) => void} follow
    */
   act(made, runs, follow) {
     const there = presenceOf(runs, this.drawn);
-    let seen = true;
     this.acts.push((k) => {
-      const now = there === null || there[k] === 1;
-      if (now !== seen) made.setAttribute("visibility", now ? "inherit" : "hidden");
-      seen = now;
+      const now = this.ink?.changed !== true && (there === null || there[k] === 1);
+      show(made, now);
       if (now) follow(k);
+    });
+  }
+
+  /**
+   * Let something follow its marks by the variant that holds.
+   * @param {SVGElement} made
+   * @param {Variant[]} variants
+   * @param {(own: Variant, of: Expressions, k: number) => void} follow
+   * @param {boolean} always also with the lengths that are given
+   */
+  tie(made, variants, follow, always = true) {
+    const { ink } = this;
+    if (ink === null) return;
+    this.acts.push((k) => {
+      if (!always && !ink.changed) return;
+      const own = ink.expressions.drawn(variants);
+      show(made, own !== undefined);
+      if (own !== undefined) follow(own, ink.expressions, k);
     });
   }
 
@@ -97,11 +130,23 @@ export class Moving {
    * @param {boolean} drawn
    */
   show(k, drawn) {
-    if (k === this.last) return;
-    this.last = k;
+    const place = `${k} ${this.ink?.version ?? 0}`;
+    if (place === this.last) return;
+    this.last = place;
+    this.ink?.at(k);
     this.body.setAttribute("visibility", drawn ? "visible" : "hidden");
     if (drawn) for (const act of this.acts) act(k);
   }
+}
+
+/**
+ * Show an element or hide it, if it is not as that already.
+ * @param {SVGElement} made
+ * @param {boolean} now
+ */
+function show(made, now) {
+  const told = now ? "inherit" : "hidden";
+  if (made.getAttribute("visibility") !== told) made.setAttribute("visibility", told);
 }
 
 /**

@@ -18,7 +18,7 @@
  * @typedef {[number, string, boolean, ...number[]]} Joint a point of a mechanism; page/views.py
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
- *   parts: Record<string, string>, views: View[], crank?: Dense, practice?: Practice,
+ *   parts: Record<string, string>, views: View[], crank?: Dense, live?: LiveData, practice?: Practice,
  *   own?: import("./own/corners.js").OwnPack, accuracy?: ErrorShares[]}} Data
  * @typedef {{quantity: string, shares: [string, number, string][], student?: boolean, most?: string,
  *   stop?: [number, number], views: number[]}} ErrorShares sources of an error with their shares in %, the largest
@@ -29,10 +29,10 @@
  * @typedef {0 | number[]} There
  * @typedef {[string, [number, string][]]} Glyph words, strokes by pen
  * @typedef {{letter: string, unit: string, places: number, texts: (string | null)[], row: number[],
- *   worth: number, there: There}} Value
+ *   worth: number, there: There, log?: number[]}} Value `log`: its mark, that of its scale (-1: none), 1 if its size counts
  * @typedef {{name: string, title: string, caption: string, box: number[], refined: number[], rows: number[],
- *   lines: [string, number, number[][], 0 | number[][], There][],
- *   letters: [number, number[], number[], There][], values: Value[], still?: [string, string][],
+ *   lines: [string, number, number[][], 0 | number[][], There, Variant[]?][],
+ *   letters: [number, number[], number[], There, Variant[]?][], values: Value[], still?: [string, string][],
  *   stands?: [number, number, number][], crank?: number[]}} MovingFigure
  * @typedef {{view: string, letter: string, unit: string, mu: number, origin: number, upright: boolean,
  *   x: number[], y: number[], there: There, texts: (string | null)[]}} Cursor
@@ -41,7 +41,25 @@
  *   ends?: {letter: string, unit: string, from: number, per: number},
  *   positions: [string, number][], why: [number, number, string][], decimal: string,
  *   pens: Record<string, [number, number[], string, string]>, figures: MovingFigure[], cursors: Cursor[],
- *   glyphs: Glyph[]}} Dense
+ *   glyphs: Glyph[], ties?: Ties}} Dense
+ *
+ * Ink tied to marks; the names are those of page/tied_pack.py. What is tied has no coordinates where its variants tell
+ * all of it; of a letter they are how far it is off its point.
+ * @typedef {[number, number[], 0 | number[]]} Variant under which comparisons (index in `holds`), places, bulges: nodes
+ * @typedef {{ops: string, of: number[], numbers: number[], holds: number[][]}} Ties expressions: the sign of each, of
+ *   which it is made (how far before it), numbers; comparisons: a node from 1 on, below 0 where it is false
+ *
+ * Live lengths; the names are those of page/live. A mark is known by its slot. A given is told by its kind and its
+ * numbers: one after the other at each angle, or as a straight row: its first number, and by how much it goes on.
+ * @typedef {{k: Kind, v?: (number | null)[], row?: [number, number]}} Told
+ * @typedef {{in: string, name: string, unit: string, by: number, pair?: [number, number], part?: number, rest?: string,
+ *   less?: [string, string, number]}} SceneKey a number of the scene; the letter is `by` times it, less another first
+ * @typedef {{l: string, n: string, u: string, by: number, v: number, slots: number[], plan?: string, key?: SceneKey}} Slider
+ *   what can be changed, in SI; told in `u`, `by` times
+ * @typedef {[number, ["on" | "aside" | "from", number, number, number][]]} JointLimbs a joint, and how it is measured: along
+ *   a line or aside from it, or from a centre; from which mark, the given length, its scale
+ * @typedef {{size: number, more: number[], given: Record<string, Told>, kept: Record<string, Told>, sliders: Slider[],
+ *   breaks: [number, string][], pin: number[], paths: number[], joints: JointLimbs[]}} LiveData
  *
  * Practice; the names are those of page/practice/pack.py. Points are mm from the origin of their plan (its pole), y
  * upward. A mark is named by its slot in the log, a position by its index in `names`.

@@ -7,6 +7,7 @@ import math
 from typing import NamedTuple
 
 from graphic_tmm.board.record import segment_name
+from graphic_tmm.paper.arithmetic import smaller
 from graphic_tmm.paper.drawing import Label, Stroke, arc, line
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.symbols.kinematic import ARROW_LENGTH, ARROW_WIDTH, arrowhead
@@ -19,7 +20,7 @@ WIDE = {"main": 2.2, "medium": 1.6, "over": 1.6}
 
 def arrow(a: complex, b: complex, pen: str, head: float = ARROW_LENGTH) -> list[Stroke]:
     """Return a vector from ``a`` to ``b`` (not the same point)."""
-    size = min(head, 0.45 * abs(b - a))
+    size = smaller(head, 0.45 * abs(b - a))
     shaft = b - (b - a) / abs(b - a) * size * SHAFT
     width = WIDE.get(pen, ARROW_WIDTH) * size / head
     return [line(pen, a, shaft), *arrowhead(b, b - a, pen=pen, length=size, width=width)]

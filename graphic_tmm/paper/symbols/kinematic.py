@@ -19,6 +19,7 @@ from collections.abc import Sequence
 import numpy as np
 import shapely
 
+from graphic_tmm.paper.arithmetic import arcsine, counted, polar, signed, smaller
 from graphic_tmm.paper.drawing import Bezier, Stroke, Symbol, arc, circle, line
 
 HATCH = 2.5
@@ -91,7 +92,7 @@ def _sign(kind: str, at: complex, turn: float, strokes: Strokes) -> Strokes:
 
 def fixed_pivot(at: complex, angle: float = 0.0) -> Strokes:
     """Return a pivot on the frame: pin, legs, base line, hatching; ``angle`` turns its foot."""
-    turn = cmath.rect(1.0, math.radians(angle))
+    turn = polar(1.0, angle)
     feet = [at + turn * complex(x, -FOOT_HEIGHT) for x in (-FOOT_WIDTH / 2, FOOT_WIDTH / 2)]
     ends = [at + turn * complex(x, -FOOT_HEIGHT) for x in (-GROUND_LENGTH / 2, GROUND_LENGTH / 2)]
     legs = line("main", feet[0], at, feet[1])
@@ -113,7 +114,7 @@ def hatching(start: complex, end: complex, side: int) -> Strokes:
     pitch = max(HATCH_PITCH, length / MOST_HATCHES)
     count = math.floor((length - HATCH_DEPTH) / pitch + 1e-9)
     first = (length - HATCH_DEPTH - count * pitch) / 2 + HATCH_DEPTH
-    roots = (start + along * (first + k * pitch) for k in range(count + 1))
+    roots = (start + along * (first + k * pitch) for k in counted(count + 1))
     return tuple(line("thin", root, root + slant) for root in roots)
 
 
@@ -125,7 +126,7 @@ def guide(start: complex, end: complex, *, sides: Sequence[int] = (-1,)) -> Stro
 
 def channel(at: complex, angle: float, length: float, *, width: float = SLIDER_WIDTH) -> Strokes:
     """Return two guides ``width`` mm apart, hatched outside: a slider runs between them."""
-    turn = cmath.rect(1.0, math.radians(angle))
+    turn = polar(1.0, angle)
     half, gap = turn * length / 2, 1j * turn * width / 2
     upper = guide(at - half + gap, at + half + gap, sides=(1,))
     return upper + guide(at - half - gap, at + half - gap, sides=(-1,))
@@ -141,7 +142,7 @@ def slider(
     kind: str = "slider",
 ) -> Strokes:
     """Return a slider: a rectangle turned by ``angle``; ``pin`` adds a turning pair; ``kind`` of its sign."""
-    turn = cmath.rect(0.5, math.radians(angle))
+    turn = polar(0.5, angle)
     corners = ((-length, -width), (length, -width), (length, width), (-length, width))
     box = line("body", *(at + turn * complex(x, y) for x, y in corners), closed=True)
     sign = _sign(kind, at, angle, (box,))
@@ -218,12 +219,11 @@ def round_arrow(
     The head is a chord of the arc, so that it follows the turn; it is shortened to half of a short
     arc.
     """
-    sense = math.copysign(1.0, sweep)
-    head = min(2 * math.asin(min(1.0, ARROW_LENGTH / (2 * radius))), math.radians(abs(sweep)) / 2)
-    end = math.radians(start + sweep)
-    tip = centre + cmath.rect(radius, end)
-    base = centre + cmath.rect(radius, end - sense * head)
-    bow = arc(pen, centre, radius, start, sweep - sense * math.degrees(head))
+    sense = signed(1.0, sweep)
+    head = smaller(2 * arcsine(smaller(1.0, ARROW_LENGTH / (2 * radius))), abs(sweep) / 2)
+    tip = centre + polar(radius, start + sweep)
+    base = centre + polar(radius, start + sweep - sense * head)
+    bow = arc(pen, centre, radius, start, sweep - sense * head)
     return (bow, *arrowhead(tip, tip - base, pen=pen, length=abs(tip - base)))
 
 

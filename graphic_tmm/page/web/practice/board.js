@@ -4,6 +4,7 @@
  * @typedef {import("../types.js").DrawnLine} DrawnLine
  * @typedef {import("../types.js").DrawnArc} DrawnArc
  * @typedef {(...values: any[]) => Drawn} Operation values of marks, then choices
+ * @typedef {(M: (Drawn | undefined)[]) => void} StraightLog (page/live/log.py)
  * @typedef {{
  *   off_line: (line: DrawnLine, found: Complex) => number,
  *   off_arc: (arc: DrawnArc, found: Complex) => number,
@@ -39,10 +40,13 @@ export const BOARD = {
   operations: {},
   /** @type {Slips} */
   slips: /** @type {Slips} */ ({}),
+  /** Rows of steps of the log, each entering the values of its marks into M by their slots. @type {Record<string, StraightLog>} */
+  log: {},
 };
 
 /** @param {typeof BOARD} written */
 export function enterBoard(written) {
   Object.assign(BOARD.operations, written.operations);
   Object.assign(BOARD.slips, written.slips);
+  Object.assign(BOARD.log, written.log);
 }

@@ -1,5 +1,6 @@
-import { ARITHMETIC, complex } from "./arithmetic.js";
+import { ARITHMETIC } from "./arithmetic.js";
 import { BOARD } from "./board.js";
+import { givenAt } from "./given.js";
 
 /**
  * @typedef {import("../types.js").Complex} Complex
@@ -155,24 +156,4 @@ export function done(step, values) {
  */
 function turned(values, k) {
   return values.map((value, n) => (n === k ? -value : value));
-}
-
-/** How many numbers a mark is made of. */
-const NUMBERS_OF = { point: 2, line: 4, arc: 3, length: 1, angle: 1, number: 1, side: 1 };
-
-/**
- * Return what is given in a position: its numbers stand there once, or one after the other for each position.
- * @param {import("../types.js").Kind} kind
- * @param {number | null | (number | null)[]} told
- * @param {number} at
- * @returns {Drawn}
- */
-export function givenAt(kind, told, at) {
-  const wide = NUMBERS_OF[kind];
-  const all = Array.isArray(told) ? told : [told];
-  const begun = all.length > wide ? at * wide : 0;
-  const [a = NaN, b = NaN, c = NaN, d = NaN] = all.slice(begun, begun + wide).map((x) => x ?? NaN);
-  if (kind === "point") return complex(a, b);
-  if (kind === "line") return { at: complex(a, b), along: complex(c, d) };
-  return kind === "arc" ? { centre: complex(a, b), radius: c } : a;
 }

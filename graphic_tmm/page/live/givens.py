@@ -1,0 +1,124 @@
+"""What can be changed on a page: each given quantity, by its letter; where a mechanism breaks, and why."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from graphic_tmm.board.execute import needed
+from graphic_tmm.board.findings import Finding, step_number
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.script import Script
+from graphic_tmm.board.values import Curve, Number
+from graphic_tmm.language.symbols import spoken
+from graphic_tmm.language.units import unit
+from graphic_tmm.page.dense import Dense
+from graphic_tmm.page.live.joints import joints
+from graphic_tmm.page.live.keys import Letter, Meaning, keys
+from graphic_tmm.page.live.log import LiveLog
+from graphic_tmm.page.sentences import marked_up
+from graphic_tmm.page.strands import MovingFigures
+from graphic_tmm.readers.findings import reason
+from graphic_tmm.readers.protocol import title_of
+
+IN_MM = 1000.0
+"""Lengths are told in mm."""
+
+
+def live_log(
+    found: Dense,
+    slots: Collection[int],
+    script: Script,
+    language: str,
+) -> tuple[dict[str, Any], Mapping[str, Sequence[Step]]]:
+    """Return what the page needs to run the log with other givens, and the steps of the log that it needs.
+
+    ``slots``: the marks that ink and what is told of figures are of.
+    """
+    body = _Body(LiveLog(found, Script()))
+    over = {mark.slot for mark in body.marks}
+    log = LiveLog(found, script, {*slots, *over}, over)
+    # the pin of the crank is what turns it
+    crank = [mark.slot for mark in body.crank]
+    data = {
+        **log.data(),
+        "sliders": list(_sliders(log, language)),
+        "breaks": list(_breaks(log, body, language)),
+        "pin": crank,
+        "joints": [one for one in joints(log, body.views) if one[0] not in crank],
+        "paths": list(_paths(log, body)),
+    }
+    return data, log.logs
+
+
+class _Body:
+    """The figures that move, and in the mechanism itself the pivot and the pin of what is turned."""
+
+    def __init__(self, log: LiveLog) -> None:
+        drawn = log.found.drawn
+        figures = [
+            one for c in drawn.project.chapters for one in MovingFigures.of(c).figures(drawn)
+        ]
+        self.crank = next((one.crank for one in figures if one.crank), ())
+        self.views = {mark.view for mark in self.crank}
+        steps = (*log.still, *log.turn)
+        self.marks = [step.it for step in steps if step.it.view in self.views]
+
+
+def _sliders(log: LiveLog, language: str) -> Iterator[dict[str, Any]]:
+    """Yield what can be changed: one quantity for one letter, in however many views it stands."""
+    project = log.found.sheet.project
+    scales: dict[Mark | None, str] = {}
+    for view in log.found.log.views:
+        scales.setdefault(view.scale, view.name)
+    same: dict[tuple[str, str, float, str], list[Mark]] = {}
+    for mark in log.own:
+        value = log.own[mark]
+        if (
+            mark.kind is Number
+            and mark.unit
+            and np.size(np.asarray(value)) == 1
+            and mark in log.used
+        ):
+            key = (mark.name, mark.unit, float(np.ravel(value)[0]), scales.get(mark, ""))
+            same.setdefault(key, []).append(mark)
+    known = keys(project.scene, project)
+    # scales last: whoever opens the page looks for lengths
+    for (_, of, value, plan), marks in sorted(same.items(), key=lambda one: one[0][3] != ""):
+        yield {
+            "l": marked_up(marks[0], language),
+            "n": spoken(marks[0], language),
+            "u": unit("mm" if of == "m" else of, language),
+            "by": IN_MM if of == "m" else 1.0,
+            "v": value,
+            "slots": [mark.slot for mark in marks],
+            **({"plan": title_of(project, plan, language)} if plan else {}),
+            **_key(marks, known),
+        }
+
+
+def _key(marks: list[Mark], known: dict[Letter, Meaning]) -> dict[str, Any]:
+    """Return the number of the scene that a quantity is; nothing of one that is none."""
+    found = {known.get(mark.key) for mark in marks}
+    only = found.pop() if len(found) == 1 else None
+    return {} if only is None else {"key": only.data()}
+
+
+def _breaks(log: LiveLog, body: _Body, language: str) -> Iterator[list[Any]]:
+    """Yield the steps that the mechanism itself needs: the slot, and why it may have no answer."""
+    found, project = log.found, log.found.sheet.project
+    there = {step.it for step in (*log.still, *log.turn)}
+    for step in needed(found.log, body.marks):
+        if step.it in there:
+            fault = Finding("undrawn", step, step_number(project.construction, step), (), 0.0)
+            yield [step.it.slot, reason(fault, project, language)]
+
+
+def _paths(log: LiveLog, body: _Body) -> Iterator[int]:
+    """Yield the points (slots) whose paths the view of the mechanism has."""
+    there = set(body.marks)
+    for step in log.found.sheet.construction.steps:
+        if step.op.across and step.it.kind is Curve and step.it.view in body.views:
+            yield from (mark.slot for mark in step.uses if mark in there)

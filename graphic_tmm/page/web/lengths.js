@@ -1,0 +1,23 @@
+/**
+ * @typedef {import("./types.js").Data} Data
+ * @typedef {import("./types.js").Dense} Dense
+ * @typedef {import("./types.js").Complex} Complex
+ * @typedef {{
+ *   ink: import("./live/liveink.js").LiveInk | null,
+ *   panel: HTMLElement,
+ *   why: (k: number) => string | null,
+ *   number: (log: number[], k: number) => number,
+ *   changed: () => boolean,
+ *   pin: (k: number) => Complex | null,
+ *   stand: (k: number) => void,
+ *   lead: (svg: SVGElement) => void,
+ * }} Lengths what figures are tied to; what is changed; why an angle is not drawn, null while all is as given; a number
+ *   of the log; whether anything is not as given; where the pin of the crank is; takes
+ *   notice of the angle that is shown; takes the figure of the mechanism
+ */
+
+/** What lets lengths be changed; `live/enter.js` enters it, of pages that have it. */
+export const LENGTHS = {
+  /** @type {((data: Data, dense: Dense, show: () => void) => Lengths | null) | null} */
+  begin: null,
+};

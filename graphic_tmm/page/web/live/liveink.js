@@ -1,0 +1,55 @@
+import { Expressions } from "./tied.js";
+
+/** @typedef {import("../types.js").Drawn} Drawn */
+
+/**
+ * The ink that follows the marks of a mechanism: its expressions, calculated for the angle that is shown. Who runs the
+ * log tells it when something given is changed.
+ */
+export class LiveInk {
+  /**
+   * @param {import("../types.js").Ties} ties
+   * @param {number} whole so many whole degrees, or steps, are in the row
+   * @param {(k: number) => (Drawn | undefined)[]} marks at an angle (index), by their slots
+   * @param {(k: number) => (Drawn | undefined)[]} few the same, at least of the marks in `turning` of its expressions
+   */
+  constructor(ties, whole, marks, few = marks) {
+    this.expressions = new Expressions(ties);
+    this.whole = whole;
+    this.marks = marks;
+    this.few = few;
+    /** Whether something given is not as the sheet has it. */
+    this.changed = false;
+    this.version = 0;
+    this.shown = "";
+    this.turned = -1;
+  }
+
+  /**
+   * Take notice that what is given has changed.
+   * @param {boolean} changed whether it is not as the sheet has it
+   */
+  given(changed) {
+    this.changed = changed;
+    this.version++;
+  }
+
+  /**
+   * Calculate the ink of an angle (index).
+   * @param {number} k
+   */
+  at(k) {
+    const place = `${k} ${this.version}`;
+    if (place === this.shown) return;
+    this.shown = place;
+    if (this.turned !== this.version) {
+      this.turned = this.version;
+      this.expressions.turn(this.positions());
+    }
+    this.expressions.calculate(this.marks(k));
+  }
+
+  *positions() {
+    for (let k = 0; k < this.whole; k++) yield this.few(k);
+  }
+}

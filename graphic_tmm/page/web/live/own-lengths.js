@@ -1,0 +1,152 @@
+import { filled } from "../dom.js";
+import { fourFigures } from "../crank-values.js";
+import { jointRings } from "./joints.js";
+import { LiveInk } from "./liveink.js";
+import { lengthsPanel } from "./panel.js";
+import { turnedInk } from "./range.js";
+import { LiveRun } from "./run.js";
+
+/**
+ * @typedef {import("../types.js").Data} Data
+ * @typedef {import("../types.js").Dense} Dense
+ * @typedef {import("../types.js").Drawn} Drawn
+ * @typedef {import("../types.js").Complex} Complex
+ * @typedef {import("../types.js").Slider} Slider
+ * @typedef {import("../lengths.js").Lengths} Lengths
+ */
+
+/**
+ * Let lengths, and whatever else is given, be changed: the log runs anew with them at every angle.
+ * @param {Data} data
+ * @param {Dense} dense
+ * @param {() => void} show
+ * @returns {Lengths | null}
+ */
+export function begunLengths(data, dense, show) {
+  const live = data.live;
+  if (live === undefined) return null;
+  const run = new LiveRun(live, dense.whole);
+  const ink = dense.ties === undefined ? null : new LiveInk(dense.ties, dense.whole, (k) => run.marks(k), (k) => run.few(k));
+  const [pivot = -1, pin = -1] = live.pin;
+  run.kept = [pivot, pin, ...live.paths, ...live.breaks.map(([slot]) => slot), ...(ink?.expressions.turning ?? [])];
+  const zero = dense.zero;
+  /** @type {Map<Slider, number>} */
+  let good = new Map();
+  /** @type {string[]} */
+  let whys = [];
+  /** @type {ReturnType<typeof turnedInk> | null} */
+  let turned = null;
+  /** @type {(k: number) => void} */
+  let rings = () => {};
+  const panel = lengthsPanel(live.sliders, data.words, dense.decimal, take);
+
+  /**
+   * Take values of what is given; where nothing can be assembled with them nothing moves.
+   * @param {Map<Slider, number>} values those that are not as given
+   * @param {Slider | null} last the one that was changed last
+   */
+  function take(values, last) {
+    run.give(givenBySlots(values));
+    whys = values.size === 0 ? [] : run.frames.map((_, k) => broken(k));
+    const there = whys.filter((why, k) => why === "" && k < dense.whole).length;
+    if (values.size > 0 && there === 0) {
+      panel.say(refusal(values, last, whys[0] ?? ""));
+      run.give(givenBySlots(good));
+      whys = good.size === 0 ? [] : run.frames.map((_, k) => broken(k));
+      return false;
+    }
+    good = new Map(values);
+    const share = filled(words("exists"), { share: `${((100 * there) / dense.whole).toFixed(0)} %` });
+    panel.say(values.size === 0 ? "" : there < dense.whole ? `${words("own lengths")} ${share}` : words("own lengths"));
+    follow();
+    return true;
+  }
+
+  /** Let what is shown follow what is given. */
+  function follow() {
+    ink?.given(good.size > 0);
+    dense.zero = good.size > 0 && live !== undefined ? (bearing(run.marks(0)) ?? zero) : zero;
+    const drawn = (/** @type {number} */ slot) => whys.map((why, k) => (why === "" ? pointOf(run.few(k)[slot]) : null));
+    turned?.(good.size > 0, drawn(pin), live?.paths.map(drawn) ?? []);
+    show();
+  }
+
+  /** @param {string} key */
+  function words(key) {
+    return data.words[key] ?? key;
+  }
+
+  /**
+   * @param {Map<Slider, number>} values
+   * @param {Slider | null} last
+   * @param {string} why
+   */
+  function refusal(values, last, why) {
+    const value = last === null ? 0 : (values.get(last) ?? last.v) * last.by;
+    const told = `${fourFigures(value, dense.decimal)} ${last?.u ?? ""}`.trim();
+    return filled(words("breaks"), { letter: last?.l ?? "", value: told, why });
+  }
+
+  /**
+   * Return which step has no answer at an angle, and why; "" where all have.
+   * @param {number} k
+   */
+  function broken(k) {
+    const marks = run.few(k);
+    return live?.breaks.find(([slot]) => marks[slot] !== undefined && !known(marks[slot]))?.[1] ?? "";
+  }
+
+  /** @param {(Drawn | undefined)[]} marks */
+  function bearing(marks) {
+    const [from, to] = [pointOf(marks[pivot]), pointOf(marks[pin])];
+    if (from === null || to === null || dense.ends !== undefined) return null;
+    return (Math.atan2(to.im - from.im, to.re - from.re) * 180) / Math.PI;
+  }
+
+  /** @param {number} k */
+  function pinAt(k) {
+    return pointOf(run.few(k)[pin]);
+  }
+
+  return {
+    ink,
+    panel: panel.element,
+    why: (k) => (good.size === 0 ? null : (whys[k] ?? "")),
+    number([slot = -1, scale = -1, size = 0], k) {
+      const marks = run.marks(k);
+      const value = marks[slot];
+      const mm = typeof value === "number" ? value : value !== undefined && "re" in value ? Math.hypot(value.re, value.im) : NaN;
+      const found = mm * (scale < 0 ? 1 : Number(marks[scale]));
+      return size === 1 ? Math.abs(found) : found;
+    },
+    changed: () => good.size > 0,
+    stand: (k) => rings(k),
+    pin: (k) => (good.size === 0 ? null : pinAt(k)),
+    lead(svg) {
+      turned = turnedInk(svg, dense, live.paths.length);
+      rings = jointRings(svg, live.joints, (k) => run.marks(k), panel.drag);
+      panel.element.addEventListener("toggle", () => svg.classList.toggle("adjusted", /** @type {HTMLDetailsElement} */ (panel.element).open));
+    },
+  };
+}
+
+/** @param {Map<Slider, number>} values */
+function givenBySlots(values) {
+  return new Map([...values].flatMap(([slider, value]) => slider.slots.map((slot) => /** @type {[number, number]} */ ([slot, value]))));
+}
+
+/** @param {Drawn | undefined} mark */
+function pointOf(mark) {
+  return mark !== undefined && typeof mark !== "number" && "re" in mark && known(mark) ? mark : null;
+}
+
+/**
+ * Tell whether a mark is there: all its numbers are.
+ * @param {Drawn | undefined} mark
+ * @returns {boolean}
+ */
+function known(mark) {
+  if (mark === undefined) return false;
+  return typeof mark === "number" ? Number.isFinite(mark) : Object.values(mark).every((part) => known(part));
+}
+

@@ -1,0 +1,176 @@
+import { element, filled, typeset } from "../dom.js";
+import { tomlOf } from "./toml.js";
+
+/**
+ * @typedef {import("../types.js").Slider} Slider
+ * @typedef {(values: Map<Slider, number>, last: Slider | null) => boolean} Take
+ */
+
+/** A range goes to so many times what is given, both ways from it. */
+const REACHED = 0.75;
+/** What is nothing may become so large a share of the largest of its unit. */
+const OF_LARGEST = 0.5;
+/** So many steps a range has. */
+const STEPS = 400;
+
+/**
+ * Return the panel of what can be changed: for each letter a range and a field, "as given", "copy as TOML".
+ * @param {Slider[]} sliders
+ * @param {Record<string, string>} words
+ * @param {string} decimal
+ * @param {Take} take
+ */
+export function lengthsPanel(sliders, words, decimal, take) {
+  /** @type {Map<Slider, number>} */
+  const values = new Map();
+  const say = (/** @type {string} */ key) => words[key] ?? key;
+  const told = element("p", { class: "told", role: "status" });
+  const rows = sliders.map((slider) => givenRow(slider, reachOf(slider, sliders), decimal, filled(say("value of"), { letter: slider.n }), change));
+  const [given, copy] = [button(say("as given"), restore), button(say("copy keys"), copied)];
+  copy.disabled = true;
+  const text = /** @type {HTMLTextAreaElement} */ (element("textarea", { class: "keys", readonly: "", hidden: "", "aria-label": "TOML", rows: "6" }));
+  const list = element("div", { class: "givens" }, ...rows.map((row) => row.element));
+  const made = element("details", { class: "lengths" }, element("summary", {}, say("givens")), element("div", { class: "bar" }, given, copy), told, list, text);
+
+  /**
+   * @param {Slider} slider
+   * @param {number} value
+   */
+  function change(slider, value) {
+    changeAll(new Map([[slider, value]]));
+  }
+
+  /** @param {Map<Slider, number>} some values */
+  function changeAll(some) {
+    const before = new Map(values);
+    for (const [slider, value] of some) {
+      if (value === slider.v) values.delete(slider);
+      else values.set(slider, value);
+    }
+    const taken = take(values, [...some.keys()].at(-1) ?? null);
+    for (const [slider, value] of some) rows[sliders.indexOf(slider)]?.set(value, !taken);
+    if (!taken) {
+      values.clear();
+      for (const [one, held] of before) values.set(one, held);
+    }
+    copy.disabled = values.size === 0;
+  }
+
+  function restore() {
+    values.clear();
+    take(values, null);
+    rows.forEach((row, n) => row.set(sliders[n]?.v ?? 0, false));
+    text.hidden = copy.disabled = true;
+  }
+
+  function copied() {
+    text.value = tomlOf(sliders, values, say("of several"));
+    text.hidden = false;
+    text.select();
+    navigator.clipboard?.writeText(text.value).then(() => say_(say("copied")), () => {});
+  }
+
+  /** @param {string} sentence */
+  function say_(sentence) {
+    if (told.textContent !== sentence) told.replaceChildren(...typeset(sentence));
+  }
+
+  /** @param {Map<number, number>} lengths by slots, as they are dragged */
+  function drag(lengths) {
+    /** @type {Map<Slider, number>} */
+    const some = new Map();
+    for (const [slot, value] of lengths) {
+      const slider = sliders.find((one) => one.slots.includes(slot));
+      if (slider === undefined) continue;
+      const [low, high] = reachOf(slider, sliders);
+      some.set(slider, snapped(value, slider, high - low));
+    }
+    changeAll(some);
+  }
+
+  return { element: made, say: say_, drag };
+}
+
+/**
+ * @param {Slider} slider
+ * @param {[number, number]} reach
+ * @param {string} decimal
+ * @param {string} name of its field
+ * @param {(slider: Slider, value: number) => void} change
+ */
+function givenRow(slider, [low, high], decimal, name, change) {
+  const label = slider.plan === undefined ? slider.n : `${slider.n}, ${slider.plan}`;
+  const range = /** @type {HTMLInputElement} */ (
+    element("input", { type: "range", min: String(low), max: String(high), step: "any", "aria-label": label })
+  );
+  const field = /** @type {HTMLInputElement} */ (element("input", { type: "text", inputmode: "decimal", "aria-label": name }));
+  const shown = (/** @type {number} */ value) => String(Number((value * slider.by).toPrecision(6))).replace(".", decimal);
+  let good = slider.v;
+  const set = (/** @type {number} */ value, /** @type {boolean} */ broken) => {
+    if (!broken) good = value;
+    range.value = String(value);
+    field.value = shown(value);
+    field.setAttribute("aria-invalid", String(broken));
+    range.setAttribute("aria-valuetext", `${shown(value)} ${slider.u}`);
+  };
+  range.addEventListener("input", () => change(slider, snapped(Number(range.value), slider, high - low)));
+  // what cannot be assembled is let go of where it last could
+  range.addEventListener("change", () => set(good, false));
+  range.addEventListener("keydown", (event) => {
+    const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+    if (by === undefined) return;
+    event.preventDefault();
+    event.stopPropagation();
+    change(slider, snapped(good + (by * (high - low)) / STEPS, slider, high - low));
+  });
+  field.addEventListener("change", () => {
+    const value = Number(field.value.replace(",", ".").replace("−", "-")) / slider.by;
+    if (Number.isFinite(value)) change(slider, value);
+    else set(good, false);
+  });
+  field.addEventListener("keydown", (event) => event.stopPropagation());
+  set(slider.v, false);
+  const made = element(
+    "div",
+    { class: "given" },
+    element("span", {}, ...typeset(slider.l), ...(slider.plan === undefined ? [] : [element("small", {}, ` ${slider.plan}`)])),
+    range,
+    field,
+    element("span", {}, slider.u),
+  );
+  return { element: made, set };
+}
+
+/**
+ * Return from where to where a range goes: on the side of nothing where what is given is.
+ * @param {Slider} slider
+ * @param {Slider[]} all
+ * @returns {[number, number]}
+ */
+function reachOf(slider, all) {
+  const largest = Math.max(...all.filter((one) => one.u === slider.u).map((one) => Math.abs(one.v)));
+  const way = slider.v === 0 ? OF_LARGEST * largest || 1 : REACHED * Math.abs(slider.v);
+  return [slider.v - way, slider.v + way];
+}
+
+/**
+ * Return a value on a step of its range, what is given exactly where that is nearest.
+ * @param {number} value
+ * @param {Slider} slider
+ * @param {number} width
+ */
+function snapped(value, slider, width) {
+  const step = 10 ** Math.floor(Math.log10((width * slider.by) / STEPS));
+  if (Math.abs(value - slider.v) * slider.by < step) return slider.v;
+  return (Math.round((value * slider.by) / step) * step) / slider.by;
+}
+
+/**
+ * @param {string} text
+ * @param {() => void} act
+ */
+function button(text, act) {
+  const made = /** @type {HTMLButtonElement} */ (element("button", { type: "button" }, text));
+  made.addEventListener("click", act);
+  return made;
+}

@@ -1,0 +1,89 @@
+"""The log that a page runs with other givens has of every mark what Python has of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+from zlib import crc32
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from support import gallery
+from support.live_logs import LivePage, by_page, live_page
+
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, arrays
+
+CASES = 5
+"""So often givens are changed of each scene."""
+SHARE = 0.04
+"""They are changed by so much at most."""
+NEAR = 1e-9
+"""Numbers are alike to this share of the largest of their kind in their view."""
+ANGLES = 9
+DUST = 1e-6
+"""What is smaller than this share of the largest of its kind is what sums that cancel leave."""
+Floats = NDArray[np.float64]
+
+
+def turning() -> list[str]:
+    """Return the scenes of the package whose mechanism turns."""
+    return [name for name in gallery.ALL if gallery.scene(name).mechanism is not None]
+
+
+def changed(page: LivePage, n: int) -> dict[Mark, float]:
+    """Return quantities that are given, each changed by another share; alike letters alike."""
+    return {
+        mark: float(np.ravel(value)[0])
+        * (1.0 + SHARE * (2.0 * crc32(f"{mark.name} {n}".encode()) / 2**32 - 1.0))
+        for mark, value in page.log.own.items()
+        if mark.kind is Number and mark.unit and np.size(value) == 1
+    }
+
+
+def off(page: LivePage, due: Mapping[int, object], told: list[list[Any]], at: list[int]) -> float:
+    """Return by how much a mark is off at most, as a share of the largest of its kind in its view.
+
+    Where these are nothing but rounding, as differences in % and moments that cancel are, they count against
+    the largest of the kind in all views, or 1 %.
+    """
+    rows: dict[tuple[str, str], dict[str, list[tuple[Floats, Floats]]]] = {}
+    for step in (*page.log.still, *page.log.turn):
+        mark = step.it
+        flat: list[Floats] = []
+        for part in arrays(due[mark.slot]):
+            row = np.broadcast_to(part[0], page.found.turned.shape)[at]
+            flat += [row.real, row.imag] if np.iscomplexobj(row) else [row]
+        found = np.array([one[mark.slot] for one in told], dtype=float)
+        of = rows.setdefault((str(mark.kind), mark.unit), {})
+        of.setdefault(mark.view, []).append((np.stack(flat, axis=1), found))
+    worst = 0.0
+    for (_, unit), views in rows.items():
+        sizes = {view: max(largest(one) for one, _ in pairs) for view, pairs in views.items()}
+        least = 1.0 if unit == "%" else DUST * max(sizes.values())
+        for view, pairs in views.items():
+            for one, other in pairs:
+                np.testing.assert_array_equal(np.isfinite(one), np.isfinite(other))
+                apart = largest(one - other)
+                worst = max(worst, apart / max(sizes[view], least) if apart else 0.0)
+    return worst
+
+
+def largest(numbers: Floats) -> float:
+    """Return the largest of numbers, 0 where there is none."""
+    return float(np.nanmax(np.abs(numbers), initial=0.0))
+
+
+@pytest.mark.parametrize("name", turning())
+def test_numbers_are_those_of_python(name: str) -> None:
+    """Whatever is given, every mark that follows at an angle is what the log has there."""
+    page = live_page(gallery.drawn(name))
+    if page is None:
+        pytest.skip("nothing turns")
+    cases = [changed(page, n) for n in range(CASES)]
+    at = [k * page.found.whole // ANGLES for k in range(ANGLES)]
+    for case, told in zip(cases, by_page(page, cases, at), strict=True):
+        due = execute(page.found.log, {**page.found.given, **case})
+        assert off(page, due.values, told, at) <= NEAR
