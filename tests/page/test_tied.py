@@ -98,9 +98,13 @@ def _judged(
             yield "hidden", key
 
 
+RIGID = ("parallel-cranks",)
+"""Scenes whose links have no other lengths: a link that doubles others would lock the mechanism."""
+
+
 @pytest.mark.slow
 @pytest.mark.turns(3)
-@pytest.mark.parametrize("name", gallery.NAMES)
+@pytest.mark.parametrize("name", [name for name in gallery.NAMES if name not in RIGID])
 def test_ink_follows_other_lengths_or_is_hidden(name: str) -> None:
     own = gallery.in_usual(name)
     tied = _tied(_dense(own))
