@@ -157,7 +157,7 @@ UNFINISHED: list[tuple[list[dict[str, Any]], int | None, int | None, str]] = [
         [link(0, "O"), link(1, "O", "A"), link(2, "A", "B")],
         1,
         2,
-        "a pair is missing among O(1,0), A(1,2)",
+        "O(1,0), A(1,2); joined with nothing: B",
     ),
     ([link(0, "O", "B"), link(1, "O", "A"), link(2, "A", "B")], 1, 0, "a pair is too many"),
     ([link(0, "O", "B"), link(1, "O", "A"), link(2, "A", "B")], None, 0, "nothing can move"),
@@ -318,4 +318,5 @@ def test_a_free_end_is_no_mass_centre_unless_the_scene_says_so() -> None:
     made = scheme(text.encode(), file, SchemeAct(), EN)
     links = {one["number"]: one for one in made["sketch"]["links"]}
     assert "centre" not in links[3]
+    assert made["says"] == "link 3: K is taken as its mass centre; put it elsewhere by the tool"
     assert links[2]["centre"] == "S2"

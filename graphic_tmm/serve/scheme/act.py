@@ -17,7 +17,8 @@ import numpy as np
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.catalogue import Speech
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, said
+from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.sketch import lying
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.readers.any_angles.motion import Recorded, motion, recorded
@@ -183,7 +184,7 @@ def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str,
         says = said("with these lengths it cannot be assembled here: nothing was changed")
         raise SceneError(str(file), (Fault("", 0, says),))
     structure = dissect(scene.mechanism)
-    stands = Standing(structure.mobility, structure.formula)
+    stands = Standing(structure.mobility, structure.formula, _centres(scene.mechanism, doc))
     sketch = sketch_of(lying(scene.mechanism, here), here, doc)
     found = _answer(sketch, stands, speech) | {
         "text": text,
@@ -195,6 +196,20 @@ def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str,
     if asked.turn:
         found["turn"] = _turn(scene, of, asked.turn)
     return found
+
+
+def _centres(mechanism: Mechanism, doc: Document) -> Said | str:
+    """Return what is said of mass centres that nobody has named."""
+    named = {one["number"] for one in doc["link"] if "centre" in one}
+    weighs = [one for one in mechanism.links if one.mass and one.number not in named and one.centre]
+    if not weighs:
+        return ""
+    link = weighs[0]
+    return said(
+        "link {number}: {letter} is taken as its mass centre; put it elsewhere by the tool",
+        number=link.number,
+        letter=link.centre,
+    )
 
 
 def _places(scene: Scene, at: Sequence[float]) -> dict[str, Complexes]:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from graphic_tmm.errors import SceneError, StructureError
-from graphic_tmm.language.said import Said, said
+from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.records import Mechanism
@@ -58,8 +58,18 @@ def standing_of(sketch: Sketch, doc: Document) -> Standing:
     try:
         structure = dissect(built(mechanism).mechanism)
     except StructureError as error:
-        return Standing(w, "", error.says if drive is not None else _lacks(w))
+        says = error.says if drive is not None else _lacks(w)
+        loose = _loose(sketch) if w > len(mechanism.drives) else ""
+        return Standing(w, "", joined("; ", filter(None, (says, loose))))
     return Standing(w, structure.formula, "", mechanism, structure.first)
+
+
+def _loose(sketch: Sketch) -> Said | str:
+    """Return what is said of pins by which nothing is joined."""
+    letters = [letter for link in sketch["links"] for letter in link["points"]]
+    centres = {link.get("centre") for link in sketch["links"]}
+    loose = [one for one in sketch["places"] if letters.count(one) == 1 and one not in centres]
+    return said("joined with nothing: {letters}", letters=", ".join(loose)) if loose else ""
 
 
 def _lacks(w: int) -> Said:
