@@ -37,7 +37,7 @@ PAIR = [
 SIGNS = st.characters(
     blacklist_categories=("Cc", "Cs", "Zl", "Zp", "Zs"), blacklist_characters="\ufeff"
 )
-DITTO = {'"', "''", "〃", "//"}
+DITTO = {'"', "''", "〃", "//", "-//-", "—//—", '-"-', '—"—', "то же", "ditto", "so"}
 WORDS = st.lists(st.text(SIGNS, min_size=1, max_size=6), min_size=1, max_size=3)
 NAMES = WORDS.map(" ".join).filter(
     lambda name: name == " ".join(name.split()) and name not in DITTO
