@@ -28,8 +28,9 @@ SAME = 1e-6
 MOST = 12
 """What is drawn in more ways is not tied: a number that leaves its expression makes a way of each angle."""
 
-FOLLOWS = 0.02
-"""What is tied is drawn by its expressions alone where these are off its rows by no more, mm."""
+FOLLOWS, APART = 0.02, 0.05
+"""What is tied is drawn by its expressions alone where these are off its rows by no more, mm; it is not tied
+where they are farther off: an extreme of the turn may lie between whole degrees, near a lock by millimetres."""
 
 Rows = np.ndarray[Any, np.dtype[np.bool_]]
 
@@ -238,15 +239,28 @@ def _seen(
     return _Seen(places, bulges, guards, frozenset(near), taken, marks)
 
 
-def follows(
-    variants: Sequence[Variant], values: Mapping[int, Complexes], rows: Reals, *, bent: bool
-) -> bool:
-    """Whether variants tell at the angles drawn what rows (angle, column) do; ``bent``: these have bulges.
+class Followed(NamedTuple):
+    """How variants tell what was drawn: ``apart``: they are off at most, mm; ``whole``: all of it is told."""
 
-    ``values``: of all expressions, at these angles.
+    apart: float
+    whole: bool
+
+
+def followed(
+    variants: Sequence[Variant],
+    values: Mapping[int, Complexes],
+    rows: Reals,
+    shown: Rows,
+    *,
+    bent: bool,
+) -> Followed:
+    """Return how variants tell at the angles drawn what rows (angle, column) do; ``bent``: these have bulges.
+
+    ``values``: of all expressions, at these angles; ``shown``: at which of them anything of the figure is.
     """
-    there = np.isfinite(rows[:, 0])
-    for one, holds in zip(variants, holding(variants, values), strict=True):
+    there, apart = np.isfinite(rows[:, 0]), 0.0
+    for one, held in zip(variants, holding(variants, values), strict=True):
+        holds = held & shown
         places, bulges = (
             np.array([values[node][holds] for node in nodes])
             .reshape(len(nodes), int(holds.sum()))
@@ -256,11 +270,9 @@ def follows(
         own = rows[holds]
         x, y = (own[:, k :: 3 if bent else 2] for k in (0, 1))
         if not (there[holds].all() and x.shape == places.shape):
-            return False
-        off = np.abs(places - x - 1j * y)
-        if off.size and off.max() > FOLLOWS:
-            return False
-        if bent and bulges.size and np.abs(bulges.real - own[:, 2::3]).max() > FOLLOWS:
-            return False
+            return Followed(np.inf, False)
+        apart = max(apart, np.abs(places - x - 1j * y).max(initial=0.0))
+        if bent:
+            apart = max(apart, np.abs(bulges.real - own[:, 2::3]).max(initial=0.0))
         there = there & ~holds
-    return not there.any()
+    return Followed(apart, apart <= FOLLOWS and not there.any())

@@ -16,7 +16,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.dense import Dense
 from graphic_tmm.page.live.log import LiveLog
 from graphic_tmm.page.strands import Key, Moving, MovingStroke, Strands
-from graphic_tmm.page.tied import Traces, Tracing, Variant, follows, holding
+from graphic_tmm.page.tied import APART, Followed, Traces, Tracing, Variant, followed, holding
 from graphic_tmm.page.trials import trials, values_of
 from graphic_tmm.paper.expressions import COVERED, Expressions
 
@@ -144,7 +144,26 @@ class FigureTies:
             if own and key in made.rows:
                 missing |= np.isfinite(made.rows[key][:, 0]) & ~np.any(holding(own, values), axis=0)
         further = [made.drawn[k] for k in np.flatnonzero(missing)]
-        return self._known(tracing.traced(figures, further, traces)) if further else ties
+        if further:
+            ties = self._known(tracing.traced(figures, further, traces))
+        found = self._followed(ties, made)
+        return {
+            key: own if found[key].apart <= APART or not isinstance(key, MovingStroke) else ()
+            for key, own in ties.items()
+        }
+
+    def _followed(
+        self, ties: Mapping[Key, tuple[Variant, ...]], made: Strands
+    ) -> dict[Key, Followed]:
+        """Return how what is tied tells the rows of a figure; what has none is told whole."""
+        values = self._values(ties, made)
+        shown = np.any([np.isfinite(row[:, 0]) for row in made.rows.values()], axis=0)
+        return {
+            key: followed(own, values, made.rows[key], shown, bent=isinstance(key, MovingStroke))
+            if own and key in made.rows
+            else Followed(0.0, True)
+            for key, own in ties.items()
+        }
 
     def _known(self, traces: Traces) -> dict[Key, tuple[Variant, ...]]:
         """Return what is tied to marks that the page's log knows."""
@@ -165,14 +184,11 @@ class FigureTies:
 
     def of(self, name: str) -> dict[Key, Tied]:
         """Return what is tied of a figure."""
-        made, found = self.made[name], {}
-        values = self._values(self.ties[name], made)
-        for key, own in self.ties[name].items():
-            if own:
-                rows, bent = made.rows.get(key), isinstance(key, MovingStroke)
-                alone = rows is None or follows(own, values, rows, bent=bent)
-                found[key] = Tied(self.pack.variants(own), alone)
-        return found
+        ties = self.ties[name]
+        told = self._followed(ties, self.made[name])
+        return {
+            key: Tied(self.pack.variants(own), told[key].whole) for key, own in ties.items() if own
+        }
 
     @property
     def slots(self) -> frozenset[int]:

@@ -96,8 +96,8 @@ def values_of(
     def over_turn(op: str, node: int) -> Any:
         row = among.values(mark, over_turn, covered, [node])[node].real
         row = np.broadcast_to(row, (reading.positions,))[:whole]
-        row = row[np.isfinite(row)]
-        return np.array((row.min() if op == "lowest" else row.max()) if row.size else np.nan)
+        # beside a lock an extreme lies between two whole degrees: NaN, as all that is not everywhere
+        return np.array(row.min() if op == "lowest" else row.max())
 
     at = list(angles)
     found = among.values(lambda slot, part: mark(slot, part)[at], over_turn, covered, only)

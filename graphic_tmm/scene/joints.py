@@ -12,7 +12,7 @@ from dataclasses import replace
 from typing import Any
 
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, said
 from graphic_tmm.mechanism.driven import driven_pairs
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.records import Link, Mechanism, Side
@@ -34,6 +34,15 @@ JOINTS = "joints"
 """The section, and the word for the zero position that is drawn in it."""
 UNSURE = 0.05
 """A group that stands so near to where both its assemblies meet is drawn again: a hand tells no side there."""
+
+
+def unseen_side(group: str) -> Said:
+    """Return what is said of a group whose side a drawing does not show."""
+    return said(
+        "group {name} is drawn so near to where both its assemblies meet that nobody sees its side: "
+        "draw it with the crank turned on a little, or write the side",
+        name=group,
+    )
 
 
 def expanded(doc: Document) -> tuple[Document, list[Flaw]]:
@@ -153,11 +162,7 @@ def _in_own_axes(
     flaws = [
         Flaw(
             (JOINTS,),
-            said(
-                "group {name} is drawn so near to where both its assemblies meet that nobody sees its side: "
-                "draw it with the crank turned on a little, or write the side",
-                name=name,
-            ),
+            unseen_side(name),
         )
         for name, doubt in found.doubt.items()
         if doubt < UNSURE and not _side_told(name, raw)

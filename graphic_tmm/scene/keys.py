@@ -56,7 +56,7 @@ def reference(language: str = SOURCE, only: Collection[str] = ()) -> str:
     return "\n".join(made)
 
 
-def _is_written(text: str, latin: bool) -> bool:
+def is_written(text: str, latin: bool) -> bool:
     """Whether a text has no letter of the other script."""
     other = "CYRILLIC" if latin else "LATIN"
     return not any(unicodedata.name(sign, "").startswith(other) for sign in text)
@@ -74,7 +74,7 @@ def _unit_table(speech: Speech) -> Iterator[str]:
     yield f"\n| {speech(said('of'))} | {speech(said('units'))} |\n|---|---|"
     for dimension in dict.fromkeys(unit.dimension for unit in UNITS.values()):
         names = [name for name, unit in UNITS.items() if unit.dimension == dimension]
-        known = [one for one in names if _is_written(one, speech.language == SOURCE)]
+        known = [one for one in names if is_written(one, speech.language == SOURCE)]
         yield f"| {speech(quantities.article(dimension))} | {', '.join(known)} |"
     yield ""
 

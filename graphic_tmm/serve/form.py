@@ -14,12 +14,13 @@ from itertools import islice
 from pathlib import Path as File
 from typing import Any, NamedTuple
 
-from graphic_tmm.language.catalogue import Speech, speaking
+from graphic_tmm.language.catalogue import SOURCE, Speech, speaking
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Key, Kind, Path, Section, Sort, keys_of
 from graphic_tmm.scene.document import Document, as_table, default_text, parsed
 from graphic_tmm.scene.drawing import Head
+from graphic_tmm.scene.keys import is_written
 from graphic_tmm.scene.lines import Layout, key_of, layout
 from graphic_tmm.scene.new import about
 from graphic_tmm.scene.quantities import noun_of
@@ -143,11 +144,19 @@ def _field_json(one: Field, speech: Speech) -> dict[str, Any]:
         "written": one.written,
         "kind": one.kind,
         "unit": speech(one.unit),
-        "choices": list(one.choices),
+        "choices": choices_in(one, speech.language),
         "default": one.default,
         "says": speech(one.says),
         "wanted": one.wanted,
     }
+
+
+def choices_in(field: Field, language: str) -> list[str]:
+    """Return what can be chosen in the words of a language, if it has one for each; what is written stays."""
+    latin = language == SOURCE
+    own = [one for one in field.choices if one == field.text or is_written(one, latin)]
+    other = [one for one in field.choices if is_written(one, not latin)]
+    return own if len(own) >= len(other) else list(field.choices)
 
 
 class _Written(NamedTuple):

@@ -12,7 +12,7 @@ from support.gallery import ROOT
 
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.read import judged
-from graphic_tmm.serve.edit import edited
+from graphic_tmm.serve.edit import edited, source_of
 from graphic_tmm.serve.form import Field, form
 
 SCENES = sorted((ROOT / "sheets").glob("*/scene.toml"))
@@ -114,6 +114,21 @@ def test_a_number_that_had_a_unit_keeps_needing_one_and_one_that_had_none_does_n
     assert doc_of(other)["drive"]["acceleration"] == "0.2 rad/s^2"
     assert doc_of(edited(data, {"flywheel.delta": "0,05"}, WINDROWER))["flywheel"]["delta"] == 0.05
     assert doc_of(edited(data, {"flywheel.delta": "5 %"}, WINDROWER))["flywheel"]["delta"] == "5 %"
+
+
+@pytest.mark.parametrize(
+    ("typed", "written"),
+    [
+        ("2, 6, 8", "[2, 6, 8]"),
+        ("2, 3*", '[2, "3*"]'),
+        ("[1, 2]", "[1, 2]"),
+        ("all", '"all"'),
+    ],
+)
+def test_a_list_needs_no_brackets(typed: str, written: str) -> None:
+    fields = [one for group in form(WINDROWER.read_bytes(), WINDROWER) for one in group.fields]
+    (field,) = (one for one in fields if one.key == "drive.accelerations")
+    assert source_of(typed, field, "") == written
 
 
 def test_lists_texts_switches_and_points() -> None:

@@ -12,7 +12,7 @@ from support.gallery import ROOT
 
 from graphic_tmm.scene.new import schema
 from graphic_tmm.scene.vary import path_of
-from graphic_tmm.serve.form import MOST, Field, form, form_json
+from graphic_tmm.serve.form import MOST, Field, blank, choices_in, form, form_json
 
 SCENES = sorted((ROOT / "sheets").glob("*/scene.toml"))
 WINDROWER = ROOT / "sheets" / "windrower" / "scene.toml"
@@ -100,6 +100,20 @@ def test_a_form_is_json_in_a_language() -> None:
     assert every["drive.speed"]["unit"] == "угловая скорость"
     assert [group["title"] for group in russian][1:3] == ["task", "frame"]
     assert "link 3 кулиса" in [group["title"] for group in russian]
+    assert every["drive.turns"]["choices"] == [
+        "counterclockwise",
+        "против часовой стрелки",
+        "по часовой стрелке",
+    ]
+
+
+def test_words_to_choose_are_of_one_language_where_each_has_its_own() -> None:
+    side = blank(None, None)._replace(choices=("+", "-", "left", "слева"), text="left")
+    assert choices_in(side, "ru") == ["+", "-", "left", "слева"]
+    assert choices_in(side._replace(text=""), "ru") == ["+", "-", "слева"]
+    assert choices_in(side._replace(text=""), "en") == ["+", "-", "left"]
+    hand = blank(None, None)._replace(choices=("exact", "cad", "точная"))
+    assert choices_in(hand, "ru") == ["exact", "cad", "точная"]
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 import pytest
 from support.gallery import SHEETS
+from support.strangers import FILES
 
 import graphic_tmm
 from graphic_tmm.errors import TmmError
@@ -25,12 +26,37 @@ DRAWN = 150.0
 """mm that a drawing is wide; a hand clicks with an error of `HAND` mm (standard deviation)."""
 HAND = 0.5
 
+# from 67.3 to 78.3 and from 270.4 to 281.4 degrees only
+NARROW = """title = "Narrow"
+language = "en"
+frame = { A = [-3.74, -2.41], G = [7.32, -3.51] }
+drive = { link = 1, speed = 1, positions = 12 }
+
+[[link]]
+number = 1
+points = { A = [0, 0], B = [3.47324, 0] }
+[[link]]
+number = 2
+points = { B = [0, 0], C = [4.326708, 0], D = [2.120781, 3.355993] }
+side = "left of BG"
+[[link]]
+number = 3
+points = { G = [0, 0], C = [6.962126, 0], F = [3.206147, -6.119855] }
+[[link]]
+number = 4
+points = { D = [0, 0], E = [5.476532, 0] }
+side = "left of DF"
+[[link]]
+number = 5
+points = { F = [0, 0], E = [3.633896, 0] }
+"""
+
 
 def shown(file: Path, **asked: Any) -> dict[str, Any]:
     return scheme(file.read_bytes(), file, SchemeAct(**asked), EN)
 
 
-@pytest.mark.parametrize("file", SCENES, ids=NAMES)
+@pytest.mark.parametrize("file", [*SCENES, *FILES.values()], ids=[*NAMES, *FILES])
 def test_what_nothing_has_moved_keeps_its_bytes(file: Path) -> None:
     first = shown(file)
     for at in (None, *np.linspace(first["sweep"]["low"], first["sweep"]["high"], 5)[1:4]):
@@ -214,6 +240,12 @@ def test_a_length_that_cannot_be_is_refused() -> None:
     key = next(one["key"] for one in made["fields"] if one["label"] == "AB")
     with pytest.raises(TmmError, match="cannot be assembled"):
         scheme(made["text"].encode(), file, SchemeAct(typed={key: "20 mm"}, at=made["at"]), EN)
+
+
+def test_a_mechanism_that_none_of_its_positions_reaches_is_shown_where_it_is_assembled() -> None:
+    drawn = scheme(NARROW.encode(), Path("narrow.toml"), SchemeAct(), EN)
+    assert 67.3 < drawn["at"] < 78.3
+    assert drawn["text"] == NARROW
 
 
 def test_a_turn_is_told() -> None:

@@ -17,9 +17,9 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.page.dense import Dense
 from graphic_tmm.page.live.joints import joints
 from graphic_tmm.page.live.keys import Letter, Meaning, keys
-from graphic_tmm.page.live.log import LiveLog
+from graphic_tmm.page.live.log import LiveLog, crank_of
+from graphic_tmm.page.live.output import output
 from graphic_tmm.page.sentences import marked_up
-from graphic_tmm.page.strands import MovingFigures
 from graphic_tmm.readers.findings import reason
 from graphic_tmm.readers.protocol import title_of
 
@@ -49,6 +49,7 @@ def live_log(
         "pin": crank,
         "joints": [one for one in joints(log, body.views) if one[0] not in crank],
         "paths": list(_paths(log, body)),
+        **({"out": out} if (out := output(log, body.marks, language)) else {}),
     }
     return data, log.logs
 
@@ -57,11 +58,7 @@ class _Body:
     """The figures that move, and in the mechanism itself the pivot and the pin of what is turned."""
 
     def __init__(self, log: LiveLog) -> None:
-        drawn = log.found.drawn
-        figures = [
-            one for c in drawn.project.chapters for one in MovingFigures.of(c).figures(drawn)
-        ]
-        self.crank = next((one.crank for one in figures if one.crank), ())
+        self.crank = crank_of(log.found)
         self.views = {mark.view for mark in self.crank}
         steps = (*log.still, *log.turn)
         self.marks = [step.it for step in steps if step.it.view in self.views]

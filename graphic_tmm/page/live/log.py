@@ -19,13 +19,21 @@ from graphic_tmm.board.execute import needed
 from graphic_tmm.board.record import Mark, Step, again
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import NotCompiled
-from graphic_tmm.board.values import KINDS, Curve, arrays, places
+from graphic_tmm.board.values import KINDS, Angle, Curve, arrays, places
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.page.dense import Dense
+from graphic_tmm.page.strands import MovingFigures
 
 STRAIGHT = 1e-13
 """A row of givens that is off a straight line by no more, as a share of its largest, is told by two numbers;
 those of the scenes of the package are off by 1.5e-16."""
+
+
+def crank_of(found: Dense) -> tuple[Mark, ...]:
+    """Return the pivot and the pin of what is turned; none where nothing is."""
+    chapters = found.drawn.project.chapters
+    figures = (one for c in chapters for one in MovingFigures.of(c).figures(found.drawn))
+    return next((one.crank for one in figures if one.crank), ())
 
 
 class LiveLog:
@@ -52,6 +60,9 @@ class LiveLog:
         recorded = set(found.sheet.construction.given)
         self.own = {mark: value for mark, value in found.given.items() if mark in recorded}
         live = self._written(again(following, self.own).steps, set(self.own))
+        if held := self._held(live):
+            self.own |= held
+            live = self._written(again(following, self.own).steps, set(self.own))
         turning = {mark for mark, value in self.own.items() if _many(value, mark)}
         self.still: list[Step] = []
         self.turn: list[Step] = []
@@ -69,6 +80,19 @@ class LiveLog:
             if mark not in recorded and not isinstance(value, Curve)
         }
         self.sheet = self._written(rest, {*self.own, *self.kept, *left})
+
+    def _held(self, live: Sequence[Step]) -> dict[Mark, Any]:
+        """Return what the crank's angle is counted from, where no step of a page finds it, as on the sheet.
+
+        An extreme that is sought by trial is none of its operations; plans at an angle do not hang on where
+        positions are counted from.
+        """
+        there = {*self.own, *(step.it for step in live)}
+        return {
+            step.it: self.found.drawn.reading[step.it]
+            for step in needed(self.found.log, crank_of(self.found))
+            if step.it.kind is Angle and step.it not in there and there.issuperset(step.uses)
+        }
 
     def _written(self, steps: Iterable[Step], there: set[Mark]) -> list[Step]:
         """Return the steps that can be written down and follow from what is there, or from one another."""

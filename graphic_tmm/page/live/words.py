@@ -18,5 +18,24 @@ LIVE: dict[str, str] = {
     "exists": said("It exists over {share} of the turn."),
     "own lengths": said("Lengths of your own, exact: nothing is rounded as with a ruler."),
     "value of": said("{letter}, value"),
+    "questions": said("Three questions", context="of a page"),
+    "ask ratio point": said(
+        "With which {letter} is {ratio}, the ratio of the mean speeds of both strokes of {point}, {target}?"
+    ),
+    "ask ratio link": said(
+        "With which {letter} is {ratio}, the ratio of the mean speeds of both swings of link {point}, {target}?"
+    ),
+    "ask travel point": said(
+        "With which {letter} does {point} travel {target} mm from end to end?"
+    ),
+    "ask travel link": said("With which {letter} does link {point} swing by {target}°?"),
+    "ask most": said("How large may {letter} be at the most for the crank to turn round?"),
+    "ask least": said("How small may {letter} be at the least for the crank to turn round?"),
+    "asks nothing": said("With other lengths it does not turn round, or does the same."),
+    "answer now": said("Now: {value}.", context="answer to a question"),
+    "answer right": said("Right.", context="answer to a question"),
+    "answer turns": said("It turns round; {letter} may go farther."),
+    "answer stops": said("It does not turn round."),
+    "answer others": said("The rest has to be as given."),
 }
 """Sentences, by the names that its program has for them."""

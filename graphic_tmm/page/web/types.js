@@ -59,7 +59,9 @@
  * @typedef {[number, ["on" | "aside" | "from", number, number, number][]]} JointLimbs a joint, and how it is measured: along
  *   a line or aside from it, or from a centre; from which mark, the given length, its scale
  * @typedef {{size: number, more: number[], given: Record<string, Told>, kept: Record<string, Told>, sliders: Slider[],
- *   breaks: [number, string][], pin: number[], paths: number[], joints: JointLimbs[]}} LiveData
+ *   breaks: [number, string][], pin: number[], paths: number[], joints: JointLimbs[], out?: Output}} LiveData
+ * @typedef {{slot: number, scale: number, turn: number, l: string, pivot?: number}} Output what the mechanism moves to and
+ *   fro: a point by its letter, or a link by its number and a point of it; so many steps are a turn
  *
  * Practice; the names are those of page/practice/pack.py. Points are mm from the origin of their plan (its pole), y
  * upward. A mark is named by its slot in the log, a position by its index in `names`.

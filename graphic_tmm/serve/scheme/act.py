@@ -47,6 +47,8 @@ MOST_PLACES = 720
 """So many places of a turn are told at the most."""
 EIGHTH = 8
 """A scene is shown an eighth of its row on: its first position is often a dead place."""
+MOST_TIMES = 1e6
+"""A first length that would make a mechanism of metres into one of micrometres is a slip of the unit."""
 PLANS: frozenset[Plan] = frozenset({"positions"})
 
 
@@ -162,7 +164,7 @@ def _scaled(asked: SchemeAct, text: str, file: File) -> Sketch:
         by = abs(in_si(typed, "length") / in_si(now[key], "length"))
     except (KeyError, ValueError, ZeroDivisionError):
         return asked.sketch
-    if not 1e-6 < by < 1e6:
+    if not 1 / MOST_TIMES < by < MOST_TIMES:
         return asked.sketch
     return scaled(asked.sketch, by)
 
@@ -174,10 +176,7 @@ def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str,
     scene = positions_scene(doc)
     assert scene.mechanism is not None
     of = recorded(scene, PLANS, exact=True)
-    at = asked.at
-    if at is None:
-        row = [one for one in of.sheet.project.coordinates if one is not None]
-        at = float(row[len(row) // EIGHTH])
+    at = asked.at if asked.at is not None else _begins(of, scene)
     places = _places(scene, [at])
     here = {letter: complex(z[0]) for letter, z in places.items()}
     if not all(map(cmath.isfinite, here.values())):
@@ -196,6 +195,18 @@ def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str,
     if asked.turn:
         found["turn"] = _turn(scene, of, asked.turn)
     return found
+
+
+def _begins(of: Recorded, scene: Scene) -> float:
+    """Return where the drive stands first: an eighth of its row on, or next where all is assembled.
+
+    A mechanism that goes a short way only may have no position of its row there.
+    """
+    row = [float(one) for one in of.sheet.project.coordinates if one is not None]
+    eighth = len(row) // EIGHTH
+    row = row[eighth:] + row[:eighth] + _way(_sweep(of, scene), MOST_PLACES)
+    there = np.isfinite([*_places(scene, row).values()]).all(axis=0)
+    return row[int(there.argmax())]
 
 
 def _centres(mechanism: Mechanism, doc: Document) -> Said | str:
@@ -234,11 +245,14 @@ def _sweep(of: Recorded, scene: Scene) -> dict[str, Any]:
     }
 
 
+def _way(sweep: Mapping[str, Any], count: int) -> list[float]:
+    low, high = sweep["low"], sweep["high"]
+    return [low + (high - low) * k / count for k in range(count + 1)]
+
+
 def _turn(scene: Scene, of: Recorded, count: int) -> dict[str, Any]:
     """Return the places of a turn, or of the whole way."""
-    sweep = _sweep(of, scene)
-    low, high = sweep["low"], sweep["high"]
-    row = [low + (high - low) * k / count for k in range(count + 1)]
+    row = _way(_sweep(of, scene), count)
     places = {
         letter: [[z.real, z.imag] if cmath.isfinite(z) else None for z in map(complex, along)]
         for letter, along in _places(scene, row).items()

@@ -13,7 +13,7 @@ from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.moved import uses
 from graphic_tmm.scene.sections import LENGTHS
-from graphic_tmm.serve.form import Field, form
+from graphic_tmm.serve.form import Field, choices_in, form
 
 OF_LINKS = ("name", "mass", "J")
 OF_DRIVE = ("speed", "turns", "from", "to", "positions", "accelerations")
@@ -49,11 +49,7 @@ def _json(
         "text": field.text,
         "link": link,
         "name": f"{LENGTHS}.{field.text}" if named else "",
-        "choices": [
-            one
-            for one in field.choices
-            if one == field.text or one.isascii() == (speech.language != "ru")
-        ],
+        "choices": choices_in(field, speech.language),
         "placeholder": field.default,
         "says": speech(field.says),
     }

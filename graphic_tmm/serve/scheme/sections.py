@@ -17,7 +17,7 @@ from graphic_tmm.scene.sections import declared
 from graphic_tmm.scene.splice import Unplaced, with_table
 from graphic_tmm.scene.tables import ByShape
 from graphic_tmm.serve.edit import source_of
-from graphic_tmm.serve.form import Field, blank
+from graphic_tmm.serve.form import Field, blank, choices_in
 
 GEOMETRY = ("task", "frame", "joints", "link", "drive")
 """What the scheme itself gives."""
@@ -59,7 +59,7 @@ def _key(name: str, field: Field, example: str, speech: Speech) -> dict[str, Any
     return {
         "name": name,
         "says": speech(field.says),
-        "choices": list(field.choices),
+        "choices": choices_in(field, speech.language),
         "example": example.strip('"'),
         "wanted": field.wanted,
     }

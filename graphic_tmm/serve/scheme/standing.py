@@ -17,6 +17,7 @@ from graphic_tmm.mechanism.structure import count, dissect
 from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.read import understood
 from graphic_tmm.serve.scheme.sketches import Sketch, lying_document
+from graphic_tmm.serve.scheme.words import SCHEME_WORDS
 
 TURNS = 360.0
 
@@ -41,7 +42,7 @@ class Standing(NamedTuple):
 def standing_of(sketch: Sketch, doc: Document) -> Standing:
     """Return what a sketch is."""
     if len(sketch["links"]) < 2:
-        return Standing(says=said("Draw a link: drag from one of its pins to the other."))
+        return Standing(says=SCHEME_WORDS["scheme begin"])
     drive, number = sketch["drive"], sketch["links"][1]["number"]
     given = ("title", "language", "units", "task", "lengths", "link", "drive")
     lies = lying_document(sketch, {key: doc[key] for key in given if key in doc})

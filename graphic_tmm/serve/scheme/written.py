@@ -7,11 +7,10 @@ from dataclasses import replace
 from pathlib import Path as File
 
 from graphic_tmm.errors import Fault, SceneError
-from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.sketch import built
 from graphic_tmm.scene.document import Document, as_table, toml
-from graphic_tmm.scene.joints import UNSURE
+from graphic_tmm.scene.joints import UNSURE, unseen_side
 from graphic_tmm.scene.link_tables import tables_of
 from graphic_tmm.scene.mechanism import Joints
 from graphic_tmm.scene.moved import rewritten
@@ -61,12 +60,7 @@ def _sided(mechanism: Mechanism, before: Mechanism | None, group: str, file: Fil
     known = {link.number: link for link in before.drawn} if before is not None else {}
     numbers = set(map(int, group.split("-")))
     if not numbers <= known.keys():
-        says = said(
-            "group {name} is drawn so near to where both its assemblies meet that nobody sees its side: "
-            "draw it with the crank turned on a little",
-            name=group,
-        )
-        raise SceneError(str(file), (Fault("", 0, says),))
+        raise SceneError(str(file), (Fault("", 0, unseen_side(group)),))
 
     def sided(link: Link) -> Link:
         if link.number not in numbers:

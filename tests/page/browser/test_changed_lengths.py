@@ -20,7 +20,7 @@ NAME, POSITION = "crank-rocker", 3
 def _opened(page_of: Begin, name: str = NAME, **options: Any) -> Any:
     tab = page_of(name, address="#crank:", **options)
     tab.page.wait_for_selector("#crank[data-ready]")
-    tab.page.locator(".lengths summary").click()
+    tab.page.locator(".lengths > summary").click()
     return tab.page
 
 
@@ -123,3 +123,22 @@ def test_a_joint_is_dragged_to_its_lengths(page_of: Begin) -> None:
     now = grip.bounding_box()
     assert abs(now["x"] + now["width"] / 2 - x - 24) < 2
     assert abs(now["y"] + now["height"] / 2 - y + 10) < 2
+
+
+def test_questions_are_answered_by_lengths(page_of: Begin) -> None:
+    """A crank-rocker turns up to Grashof's bound; what is off it, or changes other letters, is no answer."""
+    page = _opened(page_of)
+    page.locator(".questions summary").click()
+    asked = page.locator(".questions li").filter(has_text="at the most")
+    bound = 60 + 45 - np.hypot(60, 10)
+    answers = asked.get_by_role("status")
+    _give(page, "l_OA", f"{bound - 0.02:.2f}")
+    assert answers.text_content() == "Right."
+    _give(page, "l_OA", f"{bound + 0.02:.2f}")
+    assert answers.text_content() == "It does not turn round."
+    _give(page, "l_OA", "30")
+    assert answers.text_content() == "It turns round; lOA may go farther."
+    _give(page, "l_CB", "46")
+    assert answers.text_content() == "The rest has to be as given."
+    page.get_by_role("button", name="As given").click()
+    assert answers.text_content() == ""

@@ -9,12 +9,12 @@ from zlib import crc32
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from support import gallery
+from support import gallery, strangers
 from support.live_logs import LivePage, by_page, live_page
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, arrays
+from graphic_tmm.board.record import Mark, again
+from graphic_tmm.board.values import Number, Point, arrays
 
 CASES = 5
 """So often givens are changed of each scene."""
@@ -82,8 +82,24 @@ def test_numbers_are_those_of_python(name: str) -> None:
     page = live_page(gallery.drawn(name))
     if page is None:
         pytest.skip("nothing turns")
+    judge(page)
+
+
+@pytest.mark.parametrize("case", ["slotting", "six", "rotary", "row12-lock"])
+def test_numbers_of_strangers_are_too(case: str) -> None:
+    page = live_page(strangers.mechanism_of(case))
+    assert page is not None
+    known = {step.it for step in (*page.log.still, *page.log.turn)} | page.log.own.keys()
+    points = {step.it for step in page.found.log.steps if step.it.kind is Point}
+    assert {point for point in points if point.view == "positions"} <= known
+    judge(page)
+
+
+def judge(page: LivePage) -> None:
+    """Hold the numbers of a page against those of Python."""
     cases = [changed(page, n) for n in range(CASES)]
     at = [k * page.found.whole // ANGLES for k in range(ANGLES)]
     for case, told in zip(cases, by_page(page, cases, at), strict=True):
-        due = execute(page.found.log, {**page.found.given, **case})
+        given = {**page.found.given, **page.log.own, **case}
+        due = execute(again(page.found.log, given), given)
         assert off(page, due.values, told, at) <= NEAR

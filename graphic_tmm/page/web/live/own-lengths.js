@@ -3,6 +3,7 @@ import { fourFigures } from "../crank-values.js";
 import { jointRings } from "./joints.js";
 import { LiveInk } from "./liveink.js";
 import { lengthsPanel } from "./panel.js";
+import { questionsPanel, Trials } from "./questions.js";
 import { turnedInk } from "./range.js";
 import { LiveRun } from "./run.js";
 
@@ -39,6 +40,11 @@ export function begunLengths(data, dense, show) {
   /** @type {(k: number) => void} */
   let rings = () => {};
   const panel = lengthsPanel(live.sliders, data.words, dense.decimal, take);
+  const questions =
+    live.out === undefined
+      ? null
+      : questionsPanel(new Trials(run, live.out, broken), live, words, dense.decimal, () => run.give(givenBySlots(good)));
+  if (questions !== null) panel.element.append(questions.element);
 
   /**
    * Take values of what is given; where nothing can be assembled with them nothing moves.
@@ -51,6 +57,7 @@ export function begunLengths(data, dense, show) {
     const there = whys.filter((why, k) => why === "" && k < dense.whole).length;
     if (values.size > 0 && there === 0) {
       panel.say(refusal(values, last, whys[0] ?? ""));
+      questions?.judge(values, true);
       run.give(givenBySlots(good));
       whys = good.size === 0 ? [] : run.frames.map((_, k) => broken(k));
       return false;
@@ -59,6 +66,7 @@ export function begunLengths(data, dense, show) {
     const share = filled(words("exists"), { share: `${((100 * there) / dense.whole).toFixed(0)} %` });
     panel.say(values.size === 0 ? "" : there < dense.whole ? `${words("own lengths")} ${share}` : words("own lengths"));
     follow();
+    questions?.judge(values);
     return true;
   }
 

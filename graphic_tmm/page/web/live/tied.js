@@ -40,20 +40,19 @@ export class Expressions {
   }
 
   /**
-   * Find what is found over the turn: of each such expression its least or its greatest value.
+   * Find what is found over the turn: of each such expression its least or its greatest value. Where it is not
+   * everywhere, as beside a lock, that lies between two whole degrees and is not known.
    * @param {Iterable<(Drawn | undefined)[]>} positions the marks in all of them
    */
   turn(positions) {
     const { slice, wanted } = this;
     if (wanted.length === 0) return;
-    const ends = this.over.map(() => NaN);
+    const ends = this.over.map((k) => (this.ops[k] === "v" ? Infinity : -Infinity));
     for (const marks of positions) {
       this.some(slice, marks);
       this.over.forEach((k, n) => {
-        const value = this.re[wanted[n] ?? 0] ?? NaN;
-        const held = ends[n] ?? NaN;
-        const further = this.ops[k] === "v" ? value < held : value > held;
-        if (Number.isFinite(value) && (Number.isNaN(held) || further)) ends[n] = value;
+        const [value, end] = [this.re[wanted[n] ?? 0] ?? NaN, ends[n] ?? NaN];
+        ends[n] = this.ops[k] === "v" ? Math.min(value, end) : Math.max(value, end);
       });
     }
     this.over.forEach((k, n) => this.turned.set(k, ends[n] ?? NaN));
