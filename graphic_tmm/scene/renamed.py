@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Iterator
 from contextlib import suppress
+from itertools import count
 from typing import Any, NamedTuple, NoReturn
 
 from graphic_tmm.errors import Fault, SceneError
@@ -81,17 +82,33 @@ def renumbered(text: str, old: int, new: int) -> str:
     return _renamed(text, {old: new})
 
 
-def exchanged(text: str, one: int, other: int) -> str:
-    """Return a scene's text in which two links have each other's numbers; of one that is free as `renumbered`.
+def exchanged(text: str, one: int | str, other: int | str) -> str:
+    """Return a scene's text in which two links have each other's numbers, or two points each other's letters.
+
+    Of a name that is free as `renumbered` and `relettered`.
 
     Raises
     ------
     SceneError, Unplaced
-        As `renumbered`.
+        As they do.
     """
-    bodies = outline(tomllib.loads(text.removeprefix(MARK))).bodies
-    both = one in bodies and other in bodies
-    return _renamed(text, {one: other, other: one}) if both else renumbered(text, one, other)
+    doc = tomllib.loads(text.removeprefix(MARK))
+    if isinstance(one, int):
+        bodies = outline(doc).bodies
+        both = one in bodies and other in bodies
+        return (
+            _renamed(text, {one: other, other: one}) if both else renumbered(text, one, int(other))
+        )
+    points, guides = _letters(doc)
+    if one == other or not (one in points and other in points):
+        return relettered(text, one, str(other))
+    # a table cannot have a key twice, not even for a moment
+    free = next(
+        letter for letter in map("Z{}".format, count(1)) if letter not in {*points, *guides}
+    )
+    for was, now in ((one, free), (other, one), (free, other)):
+        text = _renamed(text, {was: now})
+    return text
 
 
 def _refuse(*messages: str) -> NoReturn:

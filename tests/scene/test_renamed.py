@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import tomllib
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import Any
 
 import pytest
@@ -16,7 +17,7 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Kind, Sort
 from graphic_tmm.scene.packaged import FILE
-from graphic_tmm.scene.renamed import relettered, renumbered
+from graphic_tmm.scene.renamed import exchanged, relettered, renumbered
 from graphic_tmm.scene.tables import ByShape, Several
 
 OTHER, NUMBER = "Q7", 77
@@ -64,6 +65,18 @@ def test_a_link_is_renumbered_wherever_it_stands(name: str) -> None:
         new = renumbered(text, one["number"], NUMBER)
         assert renumbered(new, NUMBER, one["number"]) == text
         assert places(new, {}) == pytest.approx(was, nan_ok=True)
+
+
+@each("name", gallery.NAMES)
+def test_two_letters_are_exchanged_wherever_they_stand(name: str) -> None:
+    text = text_of(name)
+    was = places(text, {})
+    points = sorted({letter for one in tomllib.loads(text)["link"] for letter in one["points"]})
+    for one, other in pairwise(points):
+        new = exchanged(text, one, other)
+        assert new != text
+        assert exchanged(new, other, one) == text
+        assert places(new, {one: other, other: one}) == pytest.approx(was, nan_ok=True)
 
 
 def kinds(sort: Sort) -> Iterator[Kind]:

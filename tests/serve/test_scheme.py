@@ -310,6 +310,16 @@ def test_letters_and_numbers_are_others_in_the_whole_scene() -> None:
     assert len(made["text"]) == len(file.read_text("utf-8"))
 
 
+def test_letters_are_exchanged_in_the_whole_scene() -> None:
+    file = SHEETS / "crank-rocker" / "scene.toml"
+    text = file.read_text("utf-8")
+    made = shown(file, letters={"A": "E"})
+    assert 'trajectories  = ["A"]' in made["text"]
+    assert made["errors"] == []
+    back = scheme(made["text"].encode(), file, SchemeAct(letters={"E": "A"}), EN)
+    assert back["text"] == text
+
+
 def test_what_the_task_gives_besides_is_added() -> None:
     file = SHEETS / "crank-rocker" / "scene.toml"
     names = [one["name"] for one in shown(file)["sections"]]

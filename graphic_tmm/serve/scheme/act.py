@@ -26,7 +26,7 @@ from graphic_tmm.readers.any_angles.turn import Plan
 from graphic_tmm.scene.document import Document, parsed
 from graphic_tmm.scene.quantities import in_si
 from graphic_tmm.scene.records import Scene
-from graphic_tmm.scene.renamed import exchanged, relettered
+from graphic_tmm.scene.renamed import exchanged
 from graphic_tmm.serve.edit import Missing, edited, new_faults
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.scheme.fields import scheme_fields
@@ -113,10 +113,8 @@ def scheme(
 def _renamed(data: bytes, asked: SchemeAct, file: File) -> bytes:
     """Return what a scene's file holds with letters and numbers that are others now."""
     text, _ = parsed(data, file)
-    for was, letter in asked.letters.items():
-        text = relettered(text, was, letter)
-    for number, now in asked.numbers.items():
-        text = exchanged(text, number, now)
+    for was, now in (*asked.letters.items(), *asked.numbers.items()):
+        text = exchanged(text, was, now)
     return text.encode()
 
 

@@ -46,7 +46,6 @@ SCHEME_WORDS: dict[str, str] = {
         "{letter} is chosen: drag it, type its letter, or take what it shall be above."
     ),
     "scheme chosen link": said("Link {number} is chosen: type its number, or its lengths beside."),
-    "scheme letter taken": said("There is a pin {letter} already."),
     "scheme begun": said(
         "Move the cross, and press Enter where it ends; on the same place it is chosen. Escape leaves it."
     ),

@@ -54,16 +54,16 @@ export function renumbered(sketch, from, to) {
 }
 
 /**
- * Call a pin by another letter; null where another pin has it.
+ * Call a pin by another letter; the pin that has it gets this one's.
  * @param {Sketch} sketch
  * @param {string} from
  * @param {string} to
  * @returns {Sketch | null}
  */
 export function relettered(sketch, from, to) {
-  if (from === to || to in sketch.places || !(from in sketch.places)) return null;
+  if (from === to || !(from in sketch.places)) return null;
   const made = structuredClone(sketch);
-  const known = (/** @type {string} */ one) => (one === from ? to : one);
+  const known = (/** @type {string} */ one) => (one === from ? to : one === to ? from : one);
   const renamed = new Map();
   for (const body of made.links) {
     for (const slide of body.slides) {
@@ -73,7 +73,7 @@ export function relettered(sketch, from, to) {
   }
   for (const body of made.links) {
     body.points = body.points.map(known);
-    if (body.centre === from) body.centre = to;
+    if (body.centre !== undefined) body.centre = known(body.centre);
     for (const slide of body.slides) slide.along = renamed.get(slide) ?? slide.along;
   }
   made.places = Object.fromEntries(Object.entries(made.places).map(([letter, place]) => [known(letter), place]));

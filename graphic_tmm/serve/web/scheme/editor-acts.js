@@ -25,8 +25,7 @@ export function removeChosen(editor) {
  */
 export function renameLetter(editor, from, to) {
   const made = changes.relettered(editor.sketch, from, to);
-  if (made === null) editor.tell(editor.say("scheme letter taken", { letter: to }));
-  else editor.act(made, { letter: to }, { letters: { [from]: to } });
+  if (made !== null) editor.act(made, { letter: to }, { letters: { [from]: to } });
 }
 
 /**
