@@ -12,12 +12,13 @@ LIVE: dict[str, str] = {
     "of several": said(
         "{letter} is not a single number of [frame], [[link]] or [drive]: it is left out."
     ),
-    "breaks": said(
-        "It cannot be assembled with {letter} = {value}: {why}. Everything stands where it was."
-    ),
+    "breaks": said("It cannot be assembled with {value}: {why}. Everything stands where it was."),
     "exists": said("It exists over {share} of the turn."),
     "own lengths": said("Lengths of your own, exact: nothing is rounded as with a ruler."),
     "value of": said("{letter}, value"),
+    "practised": said(
+        "With lengths of your own: {values}. How far a hand may be off is taken of the sheet's lengths."
+    ),
     "questions": said("Three questions", context="of a page"),
     "ask ratio point": said(
         "With which {letter} is {ratio}, the ratio of the mean speeds of both strokes of {point}, {target}?"

@@ -16,8 +16,13 @@
  *   notice of the angle that is shown; takes the figure of the mechanism
  */
 
-/** What lets lengths be changed; `live/enter.js` enters it, of pages that have it. */
+/**
+ * What lets lengths be changed; `live/enter.js` enters it, of pages that have it. What is given now otherwise than in
+ * the scene, by slots, and in words.
+ */
 export const LENGTHS = {
+  /** @type {{values: Map<number, number>, says: string}} */
+  given: { values: new Map(), says: "" },
   /** @type {((data: Data, dense: Dense, show: () => void) => Lengths | null) | null} */
   begin: null,
 };

@@ -322,3 +322,29 @@ def test_every_state_is_for_everybody(
         assert (k, own.page.evaluate(WIDE)) == (k, 0)
         assert (k, own.page.evaluate(SMALL)) == (k, [])
         assert (k, own.page.evaluate(AXE)) == (k, [])
+
+
+def test_a_plan_is_drawn_with_lengths_of_ones_own(student: Callable[..., Student]) -> None:
+    """What the crank's pin does follows its length: what is right of the sheet is wrong of 24 mm for 20."""
+    own = student("#crank:")
+    page, goal = own.page, own.room.locator(".goal")
+    page.locator(".lengths > summary").click()
+    length = page.get_by_role("textbox", name="l_OA, value")
+    length.fill("24")
+    length.press("Enter")
+    page.evaluate("(to) => { location.hash = to; }", ADDRESS)
+    goal.filter(has_text="With lengths of your own: lOA = 24 mm.").wait_for()
+    own.lay("0", "ω1", "lOA", whole=True)
+    due = own.mm["pa"] * MU
+    own.write(f"{due:.5g}")
+    assert "Wrong." in own.told()
+    page.locator("#practice-figure").fill("")
+    page.locator("#practice-figure").focus()
+    own.write(f"{1.2 * due:.5g}")
+    assert "Right." in own.told()
+    assert own.score().startswith("1 of ")
+    page.get_by_role("tab", name="Crank").click()
+    page.get_by_role("button", name="As given").click()
+    page.get_by_role("tab", name="Practice").click()
+    goal.filter(has_not_text="of your own").wait_for()
+    assert own.score().startswith("0 of ")

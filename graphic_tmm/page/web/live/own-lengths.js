@@ -1,5 +1,6 @@
 import { filled } from "../dom.js";
 import { fourFigures } from "../crank-values.js";
+import { LENGTHS } from "../lengths.js";
 import { jointRings } from "./joints.js";
 import { LiveInk } from "./liveink.js";
 import { lengthsPanel } from "./panel.js";
@@ -72,6 +73,7 @@ export function begunLengths(data, dense, show) {
 
   /** Let what is shown follow what is given. */
   function follow() {
+    LENGTHS.given = { values: givenBySlots(good), says: [...good].map(([slider, value]) => inWords(slider, value)).join(", ") };
     ink?.given(good.size > 0);
     dense.zero = good.size > 0 && live !== undefined ? (bearing(run.marks(0)) ?? zero) : zero;
     const drawn = (/** @type {number} */ slot) => whys.map((why, k) => (why === "" ? pointOf(run.few(k)[slot]) : null));
@@ -90,9 +92,16 @@ export function begunLengths(data, dense, show) {
    * @param {string} why
    */
   function refusal(values, last, why) {
-    const value = last === null ? 0 : (values.get(last) ?? last.v) * last.by;
-    const told = `${fourFigures(value, dense.decimal)} ${last?.u ?? ""}`.trim();
-    return filled(words("breaks"), { letter: last?.l ?? "", value: told, why });
+    const value = last === null ? "" : inWords(last, values.get(last) ?? last.v);
+    return filled(words("breaks"), { value, why });
+  }
+
+  /**
+   * @param {Slider} slider
+   * @param {number} value
+   */
+  function inWords(slider, value) {
+    return `${slider.l} = ${fourFigures(value * slider.by, dense.decimal)} ${slider.u}`.trim();
   }
 
   /**

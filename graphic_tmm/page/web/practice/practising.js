@@ -8,7 +8,7 @@ import { menuOf } from "./choices.js";
 import { Panel } from "./panel.js";
 import { Paper } from "./paper.js";
 import { readAloud } from "./aloud.js";
-import { Session } from "./session.js";
+import { Sessions } from "./session.js";
 import { showWork } from "./showing.js";
 import { cellOf, halfUnit } from "./typed.js";
 import { Verdicts } from "./verdicts.js";
@@ -31,8 +31,7 @@ export class Practising {
     this.say = say;
     this.went = went;
     this.n = -1;
-    /** @type {Map<number, Session>} */
-    this.sessions = new Map();
+    this.sessions = new Sessions(data);
     /** @type {Spot | null} */
     this.aim = null;
     /** Where the cross stood before anything was done with it. @type {Spot | null} */
@@ -48,7 +47,7 @@ export class Practising {
   }
 
   get session() {
-    return /** @type {Session} */ (this.sessions.get(this.n));
+    return this.sessions.of(this.n);
   }
 
   get task() {
@@ -60,19 +59,26 @@ export class Practising {
   }
 
   /**
+   * Take what is given otherwise than in the scene.
+   * @param {typeof import("../lengths.js").LENGTHS.given} given
+   */
+  give(given) {
+    if (this.sessions.give(given) && this.n >= 0) this.go(this.n);
+  }
+
+  /**
    * Go to a task.
    * @param {number} n
    */
   go(n) {
     this.n = n;
-    if (!this.sessions.has(n)) this.sessions.set(n, new Session(this.data, n));
     this.scheme?.svg.remove();
     this.paper.whole.classList.remove("across", "down");
     this.beside.begin(this.easel, this.session.mechanism);
-    const lead = this.session.mechanism === undefined ? this.data.views.find((view) => view.joints !== undefined) : undefined;
+    const { given: lead } = this.session;
     this.scheme = lead === undefined ? null : insetOf(this.data, lead, this.paper.svg, this.paper.whole);
     this.scheme?.svg.classList.add("begun");
-    this.panel.goal.replaceChildren(...typeset(this.session.told.goal));
+    this.panel.goal.replaceChildren(...typeset(this.session.goal));
     this.aim = null;
     this.now = -1;
     for (const tell of [this.report, this.hinted]) tell.call(this, []);

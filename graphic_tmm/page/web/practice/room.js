@@ -1,5 +1,6 @@
 import { element } from "../dom.js";
 import { listenToKeys } from "../keys.js";
+import { LENGTHS } from "../lengths.js";
 import { lightAlike } from "../light.js";
 import { Practising } from "./practising.js";
 import { taskChooser, taskNear } from "./tasks.js";
@@ -26,6 +27,7 @@ export function practiceRoom(data, state) {
   state.hear((place, before) => {
     if (place.tab !== "practice" || data.practice === undefined || data.practice.tasks.length === 0) return;
     work ??= fillPractice(room, data, data.practice, state);
+    work.give(LENGTHS.given);
     const now = `${place.view} ${place.picture}`;
     if (now === seen) return;
     const begun = seen === "";

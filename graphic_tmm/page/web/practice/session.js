@@ -1,3 +1,5 @@
+import { filled } from "../dom.js";
+import { LENGTHS } from "../lengths.js";
 import { Bench } from "./bench.js";
 import { Easel } from "./easel.js";
 import { keep, kept } from "./kept.js";
@@ -18,12 +20,15 @@ export class Session {
   /**
    * @param {Data} data
    * @param {number} n number of the task
+   * @param {typeof LENGTHS.given} [given] otherwise than in the scene
    */
-  constructor(data, n) {
+  constructor(data, n, { values, says } = LENGTHS.given) {
     this.data = data;
-    this.practice = /** @type {Practice} */ (data.practice);
+    const practice = /** @type {Practice} */ (data.practice);
+    this.practice = { ...practice, given: { ...practice.given, ...Object.fromEntries(values) } };
+    this.says = says;
     this.told = /** @type {import("../types.js").Task} */ (this.practice.tasks[n]);
-    this.name = [data.title, this.practice.plans[this.told.plan], this.position, this.told.steps.join(" ")].join(", ");
+    this.name = [data.title, this.practice.plans[this.told.plan], this.position, this.told.steps.join(" "), ...(says === "" ? [] : [says])].join(", ");
     this.bench = new Bench(this.practice, this.told);
     this.easel = new Easel(this.practice, this.told, this.bench, data.words);
     this.task = this.taskOf();
@@ -37,10 +42,26 @@ export class Session {
     return this.practice.names[this.told.at] ?? "";
   }
 
+  /** The view of the mechanism as the scene gives it. */
+  get lead() {
+    return this.says === "" ? this.data.views.find((view) => view.joints !== undefined) : undefined;
+  }
+
   /** The view that shows the mechanism, if that is not drawn itself. */
   get mechanism() {
-    const lead = this.data.views.find((view) => view.joints !== undefined);
+    const { lead } = this;
     return lead?.plan === this.practice.plans[this.told.plan] ? undefined : lead;
+  }
+
+  /** The view that shows the mechanism, if that is to be drawn. */
+  get given() {
+    return this.mechanism === undefined ? this.lead : undefined;
+  }
+
+  /** The task in words. */
+  get goal() {
+    const own = this.says === "" ? "" : ` ${filled(this.data.words["practised"] ?? "", { values: this.says })}`;
+    return `${this.told.goal}${own}`;
   }
 
   taskOf() {
@@ -119,12 +140,13 @@ export class Session {
       tries: task.tries.filter((one) => one.slot === move.it).map(({ texts, error, verdict }) => ({ told: texts, error, verdict })),
     }));
     const [plan, position] = [practice.plans[this.told.plan], this.position];
-    return { scene: this.data.title, plan, position, hand: practice.hand, score: task.score.tally(), steps };
+    const own = this.says === "" ? {} : { given: this.says };
+    return { scene: this.data.title, ...own, plan, position, hand: practice.hand, score: task.score.tally(), steps };
   }
 
   /** What files of the task are called. */
   get file() {
-    const words = [this.data.title, this.practice.plans[this.told.plan], this.position].join(" ");
+    const words = [this.data.title, this.practice.plans[this.told.plan], this.position, this.says].join(" ");
     return words.replace(/[^\p{L}\p{N}]+/gu, "-").toLowerCase();
   }
 
@@ -135,5 +157,34 @@ export class Session {
   saveReadings() {
     const { words } = this.data;
     save(`${this.file}.csv`, csvOf(this.readings(), words["csv head"] ?? "", words["csv separator"] ?? ","), "text/csv");
+  }
+}
+
+/** The tasks as they are worked on, with what is given now. */
+export class Sessions {
+  /** @param {Data} data */
+  constructor(data) {
+    this.data = data;
+    this.given = LENGTHS.given;
+    /** @type {Map<number, Session>} */
+    this.begun = new Map();
+  }
+
+  /**
+   * Take what is given otherwise than in the scene: the log runs with it. Tell whether that is news.
+   * @param {typeof LENGTHS.given} given
+   */
+  give(given) {
+    if (given === this.given) return false;
+    this.given = given;
+    this.begun.clear();
+    return true;
+  }
+
+  /** @param {number} n number of a task */
+  of(n) {
+    const held = this.begun.get(n) ?? new Session(this.data, n, this.given);
+    this.begun.set(n, held);
+    return held;
   }
 }
