@@ -107,7 +107,7 @@ def by_node(
 
     ``asked``: of each scene what it is asked besides the data and the module that is written down.
     """
-    shutil.copytree(WEB / "practice", folder / "practice")
+    shutil.copytree(WEB, folder, dirs_exist_ok=True)
     (folder / "package.json").write_text('{"type": "module"}', encoding="utf-8")
     (folder / "program.mjs").write_text(program, encoding="utf-8")
     (folder / "practice" / "enter.js").unlink()
