@@ -30,6 +30,14 @@ from graphic_tmm.readers.columns import Column
 from graphic_tmm.scene.chapter import Answer
 
 
+class Output(NamedTuple):
+    """A link that a mechanism moves to and fro: its number, a point of it, what it turns about if it does."""
+
+    link: int
+    point: Mark
+    pivot: Mark | None
+
+
 @dataclass(frozen=True)
 class Moving:
     """A figure that moves with the crank.
@@ -38,7 +46,7 @@ class Moving:
     ``at``: a position (index) -> its ink, its letters still wanted; empty where it cannot be drawn.
     ``on_sheet``: what the view of a position is called that shows the same on a sheet, by its number.
     ``still``: what stands about it and does not move. ``columns``: what is told of it along the positions.
-    ``crank``: of the mechanism itself the pivot and the pin of what is turned.
+    ``crank``: of the mechanism itself the pivot and the pin of what is turned; ``output``: what it moves.
     """
 
     name: str
@@ -49,6 +57,7 @@ class Moving:
     still: Callable[[], Drawing] | None = None
     columns: Callable[[], Iterable[Column]] = lambda: ()
     crank: tuple[Mark, Mark] | None = None
+    output: Output | None = None
 
 
 @dataclass(frozen=True)

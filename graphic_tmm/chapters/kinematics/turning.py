@@ -10,6 +10,7 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.outside import stand, stand_out
 from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, legs_of
 from graphic_tmm.chapters.kinematics.ink_numbers import Letters
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import FULL, PATHS, PositionsInk, path_stays
@@ -22,7 +23,7 @@ from graphic_tmm.chapters.kinematics.table import UNITS, plan_columns
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject
-from graphic_tmm.page.strands import Moving, MovingFigures
+from graphic_tmm.page.strands import Moving, MovingFigures, Output
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.formats import heights
@@ -120,10 +121,22 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
         lambda: _about(drawn, made),
         lambda: plan_columns(drawn, POSITIONS),
         crank=made.led,
+        output=_output(made),
     )
     for plan in (VELOCITIES, ACCELERATIONS):
         if made.motion(plan) is not None and plan in drawn.scales and drawn.of(plan) is not None:
             yield _plan(drawn, plan, words[plan])
+
+
+def _output(made: KinematicPlans) -> Output | None:
+    """Return what the last group moves on the frame."""
+    for closing, leg in reversed([*legs_of(made.positions.closings, POSITIONS)]):
+        pivot = leg.pivot if isinstance(leg, PinLeg) else None
+        own = [mark for mark in made.positions.bodies[leg.link].marks.values() if mark != pivot]
+        slides_within = isinstance(leg, GuideLeg) and leg.inner
+        if leg.body == made.mechanism.frame.number and own and not slides_within:
+            return Output(leg.link, closing.point if closing.point in own else own[0], pivot)
+    return None
 
 
 def _mechanism(drawn: Drawn) -> Callable[[int], Drawing]:

@@ -17,8 +17,7 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.page.dense import Dense
 from graphic_tmm.page.live.joints import joints
 from graphic_tmm.page.live.keys import Letter, Meaning, keys
-from graphic_tmm.page.live.log import LiveLog, crank_of
-from graphic_tmm.page.live.output import output
+from graphic_tmm.page.live.log import LiveLog, turned_figure
 from graphic_tmm.page.sentences import marked_up
 from graphic_tmm.readers.findings import reason
 from graphic_tmm.readers.protocol import title_of
@@ -49,7 +48,7 @@ def live_log(
         "pin": crank,
         "joints": [one for one in joints(log, body.views) if one[0] not in crank],
         "paths": list(_paths(log, body)),
-        **({"out": out} if (out := output(log, body.marks, language)) else {}),
+        **_output(log, body, language),
     }
     return data, log.logs
 
@@ -58,10 +57,31 @@ class _Body:
     """The figures that move, and in the mechanism itself the pivot and the pin of what is turned."""
 
     def __init__(self, log: LiveLog) -> None:
-        self.crank = crank_of(log.found)
+        figure = turned_figure(log.found)
+        self.crank = () if figure is None or figure.crank is None else figure.crank
+        self.output = None if figure is None else figure.output
         self.views = {mark.view for mark in self.crank}
         steps = (*log.still, *log.turn)
         self.marks = [step.it for step in steps if step.it.view in self.views]
+
+
+def _output(log: LiveLog, body: _Body, language: str) -> dict[str, Any]:
+    """Return what is moved to and fro where a crank turns, with how many steps are a turn; else nothing.
+
+    A link that turns has its number for a letter.
+    """
+    found, output = log.found, body.output
+    view = None if output is None else found.log.view(output.point.view)
+    if output is None or view is None or view.scale is None or found.ends:
+        return {}
+    data = {
+        "slot": output.point.slot,
+        "scale": view.scale.slot,
+        "turn": round(360 / abs(found.per)),
+    }
+    if output.pivot is None:
+        return {"out": {**data, "l": marked_up(output.point, language)}}
+    return {"out": {**data, "l": str(output.link), "pivot": output.pivot.slot}}
 
 
 def _sliders(log: LiveLog, language: str) -> Iterator[dict[str, Any]]:

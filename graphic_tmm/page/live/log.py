@@ -22,18 +22,18 @@ from graphic_tmm.board.source import NotCompiled
 from graphic_tmm.board.values import KINDS, Angle, Curve, arrays, places
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.page.dense import Dense
-from graphic_tmm.page.strands import MovingFigures
+from graphic_tmm.page.strands import Moving, MovingFigures
 
 STRAIGHT = 1e-13
 """A row of givens that is off a straight line by no more, as a share of its largest, is told by two numbers;
 those of the scenes of the package are off by 1.5e-16."""
 
 
-def crank_of(found: Dense) -> tuple[Mark, ...]:
-    """Return the pivot and the pin of what is turned; none where nothing is."""
+def turned_figure(found: Dense) -> Moving | None:
+    """Return the figure of the mechanism itself; None where nothing is turned."""
     chapters = found.drawn.project.chapters
     figures = (one for c in chapters for one in MovingFigures.of(c).figures(found.drawn))
-    return next((one.crank for one in figures if one.crank), ())
+    return next((one for one in figures if one.crank), None)
 
 
 class LiveLog:
@@ -88,9 +88,11 @@ class LiveLog:
         positions are counted from.
         """
         there = {*self.own, *(step.it for step in live)}
+        figure = turned_figure(self.found)
+        crank = () if figure is None or figure.crank is None else figure.crank
         return {
             step.it: self.found.drawn.reading[step.it]
-            for step in needed(self.found.log, crank_of(self.found))
+            for step in needed(self.found.log, crank)
             if step.it.kind is Angle and step.it not in there and there.issuperset(step.uses)
         }
 

@@ -113,7 +113,8 @@ def scheme(
 def _renamed(data: bytes, asked: SchemeAct, file: File) -> bytes:
     """Return what a scene's file holds with letters and numbers that are others now."""
     text, _ = parsed(data, file)
-    for was, now in (*asked.letters.items(), *asked.numbers.items()):
+    names: Mapping[Any, Any] = {**asked.letters, **asked.numbers}
+    for was, now in names.items():
         text = exchanged(text, was, now)
     return text.encode()
 
