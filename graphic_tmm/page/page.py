@@ -62,13 +62,15 @@ _INDEX = re.compile(r"_\{([^}]*)\}")
 _REMARK = re.compile(r"/\*.*?\*/", re.S)
 _BLANKS = re.compile(r"\s*([{};,])\s*|(?<=:)\s+")
 _INDENT = re.compile(r"^\s+", re.M)
+_UNQUOTED = re.compile(r"^[^\"'`/\n]+$", re.M)
+_SPACED = re.compile(r" ?([=<>?:&|,;{}()\[\]]) ?")
 _WEB: Traversable = files(__package__) / "web"
 _COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
 
 
 @cache
 def script(*further: str, written: str = "") -> str:
-    """Return the page's program: main.js behind all that it imports, without comments, indents and empty lines.
+    """Return the page's program: main.js behind all that it imports, without comments, indents, empty lines.
 
     ``further``: folders whose ways of looking the page has too; ``written``: a module for the page alone, that
     runs before main.js as if it stood in the folder of practice. No text of a module goes over a line
@@ -91,8 +93,13 @@ def script(*further: str, written: str = "") -> str:
                 raise SheetError(f"page/web: {found} stands in {taken[found]}.js and in {name}.js")
             taken[found] = name
         bare = _EXPORT.sub("", _COMMENT.sub("", _IMPORT.sub("", text)))
-        parts.append(_INDENT.sub("", bare).strip("\n"))
+        parts.append(closed_up(_INDENT.sub("", bare)).strip("\n"))
     return "\n" + "\n".join(parts) + "\n"
+
+
+def closed_up(code: str) -> str:
+    """Return code without blanks about its signs, but for lines that quote something, and signs of sums."""
+    return _UNQUOTED.sub(lambda line: _SPACED.sub(r"\1", line[0]), code)
 
 
 @cache

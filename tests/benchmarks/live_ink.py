@@ -26,7 +26,7 @@ import "./practice/written.js";
 import { LiveInk } from "./live/liveink.js";
 import { LiveRun } from "./live/run.js";
 const run = new LiveRun(asked.data, asked.whole);
-const ink = new LiveInk(asked.ties, asked.whole, (k) => run.marks(k), (k) => run.few(k));
+const ink = new LiveInk(asked.ties, asked.whole, run.frames, (k) => run.marks(k), (k) => run.few(k));
 const { pin, paths, breaks } = asked.data;
 run.kept = [...pin, ...paths, ...breaks.map(([slot]) => slot), ...ink.expressions.turning];
 const spent = { log: [], turn: [], ink: [] };

@@ -150,7 +150,7 @@ def test_ink_of_strangers_does_so_too(name: str) -> None:
 
 PAGE = """
 import { LiveInk } from "./live/liveink.js";
-const ink = new LiveInk(asked.ties, asked.marks.length, (k) => asked.marks[k]);
+const ink = new LiveInk(asked.ties, asked.marks.length, asked.marks.map((_, k) => k), (k) => asked.marks[k]);
 tell(asked.marks.map((_, k) => {
   ink.at(k);
   const { re, im } = ink.expressions;

@@ -113,13 +113,11 @@ def extents(project: Project, doubts: Doubts) -> Extents:
     arm = made.pairs[0].sizes.length
     spots = [reading[pivot] + arm * np.array([1, 1j, -1, -1j]) for pivot in ring]
     spots += [reading[m].knots if m.kind is Curve else reading[m] for m in marks]
-    told = project.told.get(ACCELERATIONS, frozenset())
-    places = made.accelerated or tuple(sorted(told)) or _sheet_positions(project)
     longest = {POSITIONS: extent(spots, FLAT), VELOCITIES: 0.0, ACCELERATIONS: 0.0}
     outliers = {}
     for plan, motion, at in (
         (VELOCITIES, made.velocities, tuple(range(len(project.names)))),
-        (ACCELERATIONS, made.accelerations, places),
+        (ACCELERATIONS, made.accelerations, acceleration_places(project)),
     ):
         if motion is not None and at:
             longest[plan], outliers[plan] = ruling(at, _longest(project, plan, at, doubts))
@@ -152,9 +150,10 @@ def ruling(at: Sequence[int], lengths: np.ndarray) -> tuple[float, dict[int, flo
     return most, {at[int(k)]: float(lengths[k]) / most for k in np.flatnonzero(over)}
 
 
-def _sheet_positions(project: Project) -> tuple[int, ...]:
-    """Return the positions at which what becomes of other views is told, if not of all."""
-    return tuple(sorted(frozenset().union(*project.told.values())))
+def acceleration_places(project: Project) -> tuple[int, ...]:
+    """Return the positions that get a plan of accelerations, or at which it, or another view, is told."""
+    told = project.told.get(ACCELERATIONS, frozenset()) or frozenset().union(*project.told.values())
+    return KINEMATICS_PLAN.on(project).accelerated or tuple(sorted(told))
 
 
 def plan_scales(fitting: Fitting) -> dict[str, Scale]:

@@ -18,6 +18,7 @@ from graphic_tmm.page.dense import Dense
 from graphic_tmm.page.live.joints import joints
 from graphic_tmm.page.live.keys import Letter, Meaning, keys
 from graphic_tmm.page.live.log import LiveLog, turned_figure
+from graphic_tmm.page.live.scales import free_scales, marks_of, scales_data
 from graphic_tmm.page.sentences import marked_up
 from graphic_tmm.readers.findings import reason
 from graphic_tmm.readers.protocol import title_of
@@ -38,7 +39,8 @@ def live_log(
     """
     body = _Body(LiveLog(found, Script()))
     over = {mark.slot for mark in body.marks}
-    log = LiveLog(found, script, {*slots, *over}, over)
+    scales = free_scales(found)
+    log = LiveLog(found, script, {*slots, *over, *marks_of(scales)}, over)
     # the pin of the crank is what turns it
     crank = [mark.slot for mark in body.crank]
     data = {
@@ -46,9 +48,12 @@ def live_log(
         "sliders": list(_sliders(log, language)),
         "breaks": list(_breaks(log, body, language)),
         "pin": crank,
-        "joints": [one for one in joints(log, body.views) if one[0] not in crank],
+        "joints": [
+            [*one, *(crank[:1] if one[0] in crank else ())] for one in joints(log, body.views)
+        ],
         "paths": list(_paths(log, body)),
         **_output(log, body, language),
+        "scales": scales_data(log, scales),
     }
     return data, log.logs
 

@@ -9,7 +9,7 @@ import { fixedText, fourFigures, NONE, Values } from "./crank-values.js";
  * @typedef {import("./types.js").Data} Data
  * @typedef {import("./types.js").Dense} Dense
  * @typedef {import("./types.js").MovingFigure} MovingFigure
- * @typedef {{show: (k: number, drawn: boolean) => void, svg: SVGElement}} Shown
+ * @typedef {{show: (k: number, drawn: boolean) => void, svg: SVGElement, box?: number[]}} Shown
  * @typedef {{name: string, title: string, figure: HTMLElement, leads: MovingFigure | null,
  *   built: () => Shown, show: (k: number, drawn: boolean) => void}} Card
  */
@@ -39,7 +39,8 @@ export function cardsOf(data, dense, packed, lengths = null) {
   const figures = dense.figures.map((figure) => {
     const values = new Values(dense, figureValues(dense, figure, packed, lengths));
     const make = () => new Moving(dense, figure, packed, lengths?.ink ?? null);
-    return card(figure.name, figure.title, figure.caption, figure.box, values, make, figure, data.words["fit now"]);
+    const made = card(figure.name, figure.title, figure.caption, figure.box, values, make, figure, data.words["fit now"]);
+    return lengths === null ? made : captioned(made, figure, dense, lengths);
   });
   const ids = [...new Set(dense.cursors.map((one) => one.view))];
   const views = ids.flatMap((id) => {
@@ -115,7 +116,7 @@ function card(name, title, caption, box, values, make, own, fit = "") {
       figure.prepend(shown.svg);
       shown.svg.style.aspectRatio = `${width} / ${height}`;
       readable(shown.svg);
-      if (own !== null) heading.append(fitting(shown.svg, box, fit));
+      if (own !== null) heading.append(fitting(shown, box, fit));
     }
     return shown;
   };
@@ -133,19 +134,48 @@ function card(name, title, caption, box, values, make, own, fit = "") {
 }
 
 /**
+ * Let the caption of a card tell the scale factor that its figure is drawn to.
+ * @param {Card} made
+ * @param {MovingFigure} figure
+ * @param {Dense} dense
+ * @param {import("./lengths.js").Lengths} lengths
+ * @returns {Card}
+ */
+function captioned(made, figure, dense, lengths) {
+  const caption = made.figure.querySelector("figcaption small");
+  let told = figure.caption;
+  return {
+    ...made,
+    show(k, drawn) {
+      made.show(k, drawn);
+      const mu = lengths.scale(figure.name, k);
+      const now = Number.isFinite(mu) ? figure.caption.replace(/(?<== )\S+/, fourFigures(mu, dense.decimal)) : figure.caption;
+      if (now !== told) caption?.replaceChildren(...typeset((told = now)));
+    },
+  };
+}
+
+/**
  * Return the button that shows the present drawing as large as there is room, or the room of the whole turn again.
- * @param {SVGElement} svg
+ * @param {Shown} shown
  * @param {number[]} box of the whole turn
  * @param {string} name
  */
-function fitting(svg, box, name) {
+function fitting(shown, box, name) {
+  const { svg } = shown;
+  const whole = () => shown.box ?? box;
   const made = iconButton(FIT, name, () => {
     const fits = made.getAttribute("aria-pressed") !== "true";
     made.setAttribute("aria-pressed", String(fits));
     const body = /** @type {SVGGraphicsElement | null} */ (svg.querySelector(".body"));
     const now = body?.getBBox();
-    const close = now === undefined ? box : [now.x - ABOUT, now.y - ABOUT, now.width + 2 * ABOUT, now.height + 2 * ABOUT];
-    svg.setAttribute("viewBox", (fits ? close : box).join(" "));
+    const close = now === undefined ? whole() : [now.x - ABOUT, now.y - ABOUT, now.width + 2 * ABOUT, now.height + 2 * ABOUT];
+    svg.setAttribute("viewBox", (fits ? close : whole()).join(" "));
+    weigh(svg);
+  });
+  svg.addEventListener("settled", () => {
+    svg.setAttribute("viewBox", whole().join(" "));
+    made.setAttribute("aria-pressed", "false");
     weigh(svg);
   });
   made.setAttribute("aria-pressed", "false");

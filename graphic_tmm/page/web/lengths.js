@@ -8,12 +8,13 @@
  *   why: (k: number) => string | null,
  *   number: (log: number[], k: number) => number,
  *   changed: () => boolean,
+ *   scale: (name: string, k: number) => number,
  *   pin: (k: number) => Complex | null,
  *   stand: (k: number) => void,
  *   lead: (svg: SVGElement) => void,
  * }} Lengths what figures are tied to; what is changed; why an angle is not drawn, null while all is as given; a number
- *   of the log; whether anything is not as given; where the pin of the crank is; takes
- *   notice of the angle that is shown; takes the figure of the mechanism
+ *   of the log; whether anything is not as given; the scale factor of a figure, not a number while all is as given; where
+ *   the pin of the crank is; takes notice of the angle that is shown; takes the figure of the mechanism
  */
 
 /**

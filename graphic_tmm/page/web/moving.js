@@ -1,18 +1,15 @@
 import { nearestDrawn, presenceOf, spreadRow } from "./dense.js";
 import { drawnElement } from "./dom.js";
+import { layers, written } from "./pens.js";
 import { hundredths, pathOf, placeOf } from "./strokes.js";
 
 /**
  * @typedef {import("./types.js").Dense} Dense
  * @typedef {import("./types.js").MovingFigure} MovingFigure
- * @typedef {import("./types.js").Glyph} Glyph
  * @typedef {import("./types.js").Variant} Variant
  * @typedef {import("./live/tied.js").Expressions} Expressions
  * @typedef {import("./live/liveink.js").LiveInk} LiveInk
  */
-
-/** White about a letter that stands on lines, in widths of its pen. */
-const HALO = 5;
 
 /**
  * A figure that moves with the crank: built once, then only what changes is told anew.
@@ -34,6 +31,15 @@ export class Moving {
     this.svg = drawnElement("svg", { viewBox: figure.box.join(" "), class: "moving", role: "img", "aria-label": figure.title });
     /** @type {((k: number) => void)[]} */
     this.acts = [];
+    /** What is tied: strokes; letters, with how far each is off its point on the sheet, and since lengths were changed. */
+    /** @type {Variant[][]} */
+    this.strokes = [];
+    /** @type {{made: SVGElement, variants: Variant[], aside: (k: number) => [number, number]}[]} */
+    this.letters = [];
+    /** @type {(((k: number) => [number, number]) | null)[]} */
+    this.asides = [];
+    this.box = figure.box;
+    this.released = 0;
     this.body = drawnElement("g", { class: "body" });
     const pens = layers(dense, figure.still ?? []);
     for (const line of figure.lines) this.line(line, rows, pens);
@@ -47,11 +53,24 @@ export class Moving {
       const made = drawnElement("g", {}, written(dense.glyphs[n]));
       const [u, v] = [placeOf(x, rows), placeOf(y, rows)];
       if (variants === undefined) this.act(made, there, (k) => moved(made, u(k), v(k)));
-      else this.tie(made, variants, ([, [at = 0]], { re, im }, k) => moved(made, (re[at] ?? 0) + u(k), (im[at] ?? 0) + v(k)));
+      else this.letter(made, variants, (k) => [u(k), v(k)]);
       letters.append(made);
     }
     this.body.append(letters);
     this.last = "";
+  }
+
+  /**
+   * @param {SVGElement} made
+   * @param {Variant[]} variants
+   * @param {(k: number) => [number, number]} aside
+   */
+  letter(made, variants, aside) {
+    const n = this.letters.push({ made, variants, aside }) - 1;
+    this.tie(made, variants, ([, [at = 0]], { re, im }, k) => {
+      const [u, v] = (this.asides[n] ?? aside)(k);
+      moved(made, (re[at] ?? 0) + u, (im[at] ?? 0) + v);
+    });
   }
 
   /**
@@ -67,6 +86,7 @@ export class Moving {
     const at = new Float64Array(places.length);
     pens.get(pen)?.append(made);
     if (variants !== undefined) {
+      this.strokes.push(variants);
       this.tie(made, variants, ([, nodes, bent], { re, im }) => {
         const own = new Float64Array(2 * nodes.length);
         nodes.forEach((node, n) => {
@@ -130,12 +150,30 @@ export class Moving {
    * @param {boolean} drawn
    */
   show(k, drawn) {
+    this.settle(k);
     const place = `${k} ${this.ink?.version ?? 0}`;
     if (place === this.last) return;
     this.last = place;
     this.ink?.at(k);
     this.body.setAttribute("visibility", drawn ? "visible" : "hidden");
     if (drawn) for (const act of this.acts) act(k);
+  }
+  /**
+   * Take the room that it needs once lengths are no longer being changed.
+   * @param {number} k
+   */
+  settle(k) {
+    const { ink } = this;
+    if (ink === null || ink.released === this.released) return;
+    this.released = ink.released;
+    this.last = "";
+    let larger = "";
+    // in another box letters are told larger, and take more of it
+    for (let n = 0; n < 2 && larger !== this.svg.style.getPropertyValue("--larger"); n++) {
+      larger = this.svg.style.getPropertyValue("--larger");
+      this.box = ink.settle(this, k) ?? this.figure.box;
+      this.svg.dispatchEvent(new Event("settled"));
+    }
   }
 }
 
@@ -186,43 +224,4 @@ function rigid(coordinates, bends) {
   const row = (/** @type {number[] | undefined} */ one) => (one?.length === 2 ? one[0] : undefined);
   const bent = bends === 0 || bends.every((one) => one.length === 1);
   return bent && coordinates.every((one, n) => row(one) === row(coordinates[n % 2]));
-}
-
-/**
- * Return a group for each pen, in their order, with what stands still already in it.
- * @param {Dense} dense
- * @param {[string, string][]} still
- * @returns {Map<string, Element>}
- */
-function layers(dense, still) {
-  const found = new Map();
-  for (const [pen, [width, dashes, fill]] of Object.entries(dense.pens)) {
-    const group = drawnElement("g", {
-      fill: fill === "none" ? "none" : "var(--paper)",
-      stroke: width > 0 ? "var(--ink)" : "none",
-      class: "pen",
-      "stroke-linecap": dashes.length > 0 ? "butt" : "round",
-      "stroke-linejoin": "round",
-    });
-    group.style.setProperty("--pen", `${width}px`);
-    if (dashes.length > 0) group.setAttribute("stroke-dasharray", dashes.join(" "));
-    for (const [of, d] of still) if (of === pen) group.append(drawnElement("path", { d, class: "still" }));
-    found.set(pen, group);
-  }
-  return found;
-}
-
-/**
- * Return the strokes of a letter, white about them.
- * @param {Glyph | undefined} glyph
- */
-function written(glyph) {
-  const strokes = glyph?.[1] ?? [];
-  const shared = { fill: "none", "stroke-linecap": "round", "stroke-linejoin": "round" };
-  return drawnElement(
-    "g",
-    { class: "glyph" },
-    ...strokes.map(([pen, d]) => drawnElement("path", { ...shared, d, stroke: "var(--paper)", "stroke-width": HALO * pen })),
-    ...strokes.map(([pen, d]) => drawnElement("path", { ...shared, d, stroke: "var(--ink)", "stroke-width": pen })),
-  );
 }

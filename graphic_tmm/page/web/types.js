@@ -56,12 +56,17 @@
  *   less?: [string, string, number]}} SceneKey a number of the scene; the letter is `by` times it, less another first
  * @typedef {{l: string, n: string, u: string, by: number, v: number, slots: number[], plan?: string, key?: SceneKey}} Slider
  *   what can be changed, in SI; told in `u`, `by` times
- * @typedef {[number, ["on" | "aside" | "from", number, number, number][]]} JointLimbs a joint, and how it is measured: along
- *   a line or aside from it, or from a centre; from which mark, the given length, its scale
+ * @typedef {[number, ["on" | "aside" | "from", number, number, number][], number?]} JointLimbs a joint, and how it is measured: along
+ *   a line or aside from it, or from a centre; from which mark, the given length, its scale; of the crank's pin its pivot
  * @typedef {{size: number, more: number[], given: Record<string, Told>, kept: Record<string, Told>, sliders: Slider[],
- *   breaks: [number, string][], pin: number[], paths: number[], joints: JointLimbs[], out?: Output}} LiveData
+ *   breaks: [number, string][], pin: number[], paths: number[], joints: JointLimbs[], scales: ScalesData, out?: Output}} LiveData
  * @typedef {{slot: number, scale: number, turn: number, l: string, pivot?: number}} Output what the mechanism moves to and
  *   fro: a point by its letter, or a link by its number and a point of it; so many steps are a turn
+ * @typedef {{mu: number, rule: string, of: number[], at?: number[], n: number[], by?: number[]}} FreeScale a scale factor that
+ *   the page may choose: by which rule, of which points, in which places (index; else the positions of the sheet),
+ *   numbers of the rule, marks that it hangs on; page/live/scales.py
+ * @typedef {{lengths: number[], mantissas: number[], ratios: number[], free: FreeScale[], shown: Record<string, number>}}
+ *   ScalesData standard rows; free scale factors; the scale factor (slot) of a view
  *
  * Practice; the names are those of page/practice/pack.py. Points are mm from the origin of their plan (its pole), y
  * upward. A mark is named by its slot in the log, a position by its index in `names`.

@@ -1,3 +1,4 @@
+import { holdsWell, settled } from "./settled.js";
 import { Expressions } from "./tied.js";
 
 /** @typedef {import("../types.js").Drawn} Drawn */
@@ -10,12 +11,14 @@ export class LiveInk {
   /**
    * @param {import("../types.js").Ties} ties
    * @param {number} whole so many whole degrees, or steps, are in the row
+   * @param {number[]} frames all of them, then what is between two
    * @param {(k: number) => (Drawn | undefined)[]} marks at an angle (index), by their slots
    * @param {(k: number) => (Drawn | undefined)[]} few the same, at least of the marks in `turning` of its expressions
    */
-  constructor(ties, whole, marks, few = marks) {
+  constructor(ties, whole, frames, marks, few = marks) {
     this.expressions = new Expressions(ties);
     this.whole = whole;
+    this.frames = frames;
     this.marks = marks;
     this.few = few;
     /** Whether something given is not as the sheet has it. */
@@ -23,6 +26,11 @@ export class LiveInk {
     this.version = 0;
     this.shown = "";
     this.turned = -1;
+    /** How often changing has ended; the angles at which letters are placed then; whether an angle is drawn. */
+    this.released = 0;
+    /** @type {number[]} */
+    this.places = [];
+    this.drawn = (/** @type {number} */ _k) => true;
   }
 
   /**
@@ -47,6 +55,20 @@ export class LiveInk {
       this.expressions.turn(this.positions());
     }
     this.expressions.calculate(this.marks(k));
+  }
+
+  /**
+   * Place the letters of a figure anew; return its box, null where that is as the sheet has it.
+   * @param {import("../moving.js").Moving} moving
+   * @param {number} k the angle that is shown
+   */
+  settle(moving, k) {
+    moving.asides = [];
+    if (!this.changed) return null;
+    this.at(k);
+    this.shown = "";
+    const box = settled(this, moving, [...new Set([...this.places, k])], this.drawn);
+    return box === null || holdsWell(moving.figure.box, box) ? null : box;
   }
 
   *positions() {

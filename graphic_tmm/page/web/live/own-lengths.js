@@ -6,6 +6,7 @@ import { LiveInk } from "./liveink.js";
 import { lengthsPanel } from "./panel.js";
 import { questionsPanel, Trials } from "./questions.js";
 import { turnedInk } from "./range.js";
+import { chosenScales } from "./rescale.js";
 import { LiveRun } from "./run.js";
 
 /**
@@ -28,23 +29,24 @@ export function begunLengths(data, dense, show) {
   const live = data.live;
   if (live === undefined) return null;
   const run = new LiveRun(live, dense.whole);
-  const ink = dense.ties === undefined ? null : new LiveInk(dense.ties, dense.whole, (k) => run.marks(k), (k) => run.few(k));
+  const ink = dense.ties === undefined ? null : new LiveInk(dense.ties, dense.whole, run.frames, (k) => run.marks(k), (k) => run.few(k));
   const [pivot = -1, pin = -1] = live.pin;
   run.kept = [pivot, pin, ...live.paths, ...live.breaks.map(([slot]) => slot), ...(ink?.expressions.turning ?? [])];
   const zero = dense.zero;
   /** @type {Map<Slider, number>} */
   let good = new Map();
+  /** Scale factors that are not as the sheet has them. @type {Map<number, number>} */
+  let scales = new Map();
+  const positions = dense.positions.map(([, index]) => index);
   /** @type {string[]} */
   let whys = [];
   /** @type {ReturnType<typeof turnedInk> | null} */
   let turned = null;
   /** @type {(k: number) => void} */
   let rings = () => {};
-  const panel = lengthsPanel(live.sliders, data.words, dense.decimal, take);
+  const panel = lengthsPanel(live.sliders, data.words, dense.decimal, take, release);
   const questions =
-    live.out === undefined
-      ? null
-      : questionsPanel(new Trials(run, live.out, broken), live, words, dense.decimal, () => run.give(givenBySlots(good)));
+    live.out === undefined ? null : questionsPanel(new Trials(run, live.out, broken), live, words, dense.decimal, () => give(good));
   if (questions !== null) panel.element.append(questions.element);
 
   /**
@@ -53,27 +55,57 @@ export function begunLengths(data, dense, show) {
    * @param {Slider | null} last the one that was changed last
    */
   function take(values, last) {
-    run.give(givenBySlots(values));
+    if (values.size === 0) scales.clear();
+    give(values);
     whys = values.size === 0 ? [] : run.frames.map((_, k) => broken(k));
     const there = whys.filter((why, k) => why === "" && k < dense.whole).length;
     if (values.size > 0 && there === 0) {
       panel.say(refusal(values, last, whys[0] ?? ""));
       questions?.judge(values, true);
-      run.give(givenBySlots(good));
+      give(good);
       whys = good.size === 0 ? [] : run.frames.map((_, k) => broken(k));
       return false;
     }
     good = new Map(values);
     const share = filled(words("exists"), { share: `${((100 * there) / dense.whole).toFixed(0)} %` });
     panel.say(values.size === 0 ? "" : there < dense.whole ? `${words("own lengths")} ${share}` : words("own lengths"));
+    if (values.size === 0) settle();
     follow();
     questions?.judge(values);
     return true;
   }
 
+  /** @param {Map<Slider, number>} values */
+  function give(values) {
+    run.give(new Map([...scales, ...givenBySlots(values)]));
+  }
+
+  /**
+   * Choose scale factors anew, but for those that somebody has changed himself, and let figures settle in their boxes.
+   * @param {Map<Slider, number>} values
+   */
+  function release(values) {
+    if (live === undefined || values.size === 0) return;
+    const kept = givenBySlots(values);
+    const found = chosenScales(live.scales, (k) => run.marks(k), positions, new Set(kept.keys()));
+    scales = new Map([...found].filter(([slot, mu]) => live.given[slot]?.v?.[0] !== mu));
+    give(values);
+    whys = run.frames.map((_, k) => broken(k));
+    settle();
+    follow();
+  }
+
+  function settle() {
+    panel.tell(scales);
+    if (ink === null) return;
+    ink.released++;
+    ink.places = positions;
+    ink.drawn = (k) => whys[k] === "";
+  }
+
   /** Let what is shown follow what is given. */
   function follow() {
-    LENGTHS.given = { values: givenBySlots(good), says: [...good].map(([slider, value]) => inWords(slider, value)).join(", ") };
+    LENGTHS.given = { values: run.changed, says: [...good].map(([slider, value]) => inWords(slider, value)).join(", ") };
     ink?.given(good.size > 0);
     dense.zero = good.size > 0 && live !== undefined ? (bearing(run.marks(0)) ?? zero) : zero;
     const drawn = (/** @type {number} */ slot) => whys.map((why, k) => (why === "" ? pointOf(run.few(k)[slot]) : null));
@@ -137,11 +169,12 @@ export function begunLengths(data, dense, show) {
       return size === 1 ? Math.abs(found) : found;
     },
     changed: () => good.size > 0,
+    scale: (name, k) => (good.size === 0 ? NaN : Number(run.marks(k)[live.scales.shown[name] ?? -1])),
     stand: (k) => rings(k),
     pin: (k) => (good.size === 0 ? null : pinAt(k)),
     lead(svg) {
       turned = turnedInk(svg, dense, live.paths.length);
-      rings = jointRings(svg, live.joints, (k) => run.marks(k), panel.drag);
+      rings = jointRings(svg, live.joints, (k) => run.marks(k), panel.drag, panel.drop);
       panel.element.addEventListener("toggle", () => svg.classList.toggle("adjusted", /** @type {HTMLDetailsElement} */ (panel.element).open));
     },
   };

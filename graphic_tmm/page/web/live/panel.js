@@ -12,6 +12,8 @@ const REACHED = 0.75;
 const OF_LARGEST = 0.5;
 /** So many steps a range has. */
 const STEPS = 400;
+/** By so many of them keys go. @type {Record<string, number>} */
+const RANGE_KEYS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 };
 
 /**
  * Return the panel of what can be changed: for each letter a range and a field, "as given", "copy as TOML".
@@ -19,13 +21,14 @@ const STEPS = 400;
  * @param {Record<string, string>} words
  * @param {string} decimal
  * @param {Take} take
+ * @param {(values: Map<Slider, number>) => void} release takes notice that nothing is being changed any more
  */
-export function lengthsPanel(sliders, words, decimal, take) {
+export function lengthsPanel(sliders, words, decimal, take, release) {
   /** @type {Map<Slider, number>} */
   const values = new Map();
   const say = (/** @type {string} */ key) => words[key] ?? key;
   const told = element("p", { class: "told", role: "status" });
-  const rows = sliders.map((slider) => givenRow(slider, reachOf(slider, sliders), decimal, filled(say("value of"), { letter: slider.n }), change));
+  const rows = sliders.map((slider) => givenRow(slider, reachOf(slider, sliders), decimal, filled(say("value of"), { letter: slider.n }), change, () => release(values)));
   const [given, copy] = [button(say("as given"), restore), button(say("copy keys"), copied)];
   copy.disabled = true;
   const text = /** @type {HTMLTextAreaElement} */ (element("textarea", { class: "keys", readonly: "", hidden: "", "aria-label": "TOML", rows: "6" }));
@@ -88,7 +91,14 @@ export function lengthsPanel(sliders, words, decimal, take) {
     changeAll(some);
   }
 
-  return { element: made, say: say_, drag };
+  /** @param {Map<number, number>} scales chosen anew, by slots; all others are as given */
+  function tell(scales) {
+    sliders.forEach((slider, n) => {
+      if (slider.plan !== undefined && !values.has(slider)) rows[n]?.set(scales.get(slider.slots[0] ?? -1) ?? slider.v, false);
+    });
+  }
+
+  return { element: made, say: say_, drag, tell, drop: () => release(values) };
 }
 
 /**
@@ -97,8 +107,9 @@ export function lengthsPanel(sliders, words, decimal, take) {
  * @param {string} decimal
  * @param {string} name of its field
  * @param {(slider: Slider, value: number) => void} change
+ * @param {() => void} release
  */
-function givenRow(slider, [low, high], decimal, name, change) {
+function givenRow(slider, [low, high], decimal, name, change, release) {
   const label = slider.plan === undefined ? slider.n : `${slider.n}, ${slider.plan}`;
   const range = /** @type {HTMLInputElement} */ (
     element("input", { type: "range", min: String(low), max: String(high), step: "any", "aria-label": label })
@@ -108,6 +119,7 @@ function givenRow(slider, [low, high], decimal, name, change) {
   let good = slider.v;
   const set = (/** @type {number} */ value, /** @type {boolean} */ broken) => {
     if (!broken) good = value;
+    range.max = String(Math.max(high, value));
     range.value = String(value);
     field.value = shown(value);
     field.setAttribute("aria-invalid", String(broken));
@@ -115,9 +127,13 @@ function givenRow(slider, [low, high], decimal, name, change) {
   };
   range.addEventListener("input", () => change(slider, snapped(Number(range.value), slider, high - low)));
   // what cannot be assembled is let go of where it last could
-  range.addEventListener("change", () => set(good, false));
+  range.addEventListener("change", () => {
+    set(good, false);
+    release();
+  });
+  range.addEventListener("keyup", (event) => (RANGE_KEYS[event.key] === undefined ? undefined : release()));
   range.addEventListener("keydown", (event) => {
-    const by = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, PageUp: 10, PageDown: -10 }[event.key];
+    const by = RANGE_KEYS[event.key];
     if (by === undefined) return;
     event.preventDefault();
     event.stopPropagation();
@@ -125,8 +141,9 @@ function givenRow(slider, [low, high], decimal, name, change) {
   });
   field.addEventListener("change", () => {
     const value = Number(field.value.replace(",", ".").replace("−", "-")) / slider.by;
-    if (Number.isFinite(value)) change(slider, value);
-    else set(good, false);
+    if (!Number.isFinite(value)) return set(good, false);
+    change(slider, value);
+    release();
   });
   field.addEventListener("keydown", (event) => event.stopPropagation());
   set(slider.v, false);

@@ -1,6 +1,7 @@
+import { besideOf } from "./beside-point.js";
 import { drawnElement } from "../dom.js";
 import { headOfArrow, mmText, pathThrough } from "./figures.js";
-import { besideOf, letterText } from "./lettering.js";
+import { letterText } from "./lettering.js";
 
 /**
  * @typedef {import("./figures.js").Spot} Spot
