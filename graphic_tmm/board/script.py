@@ -72,7 +72,10 @@ _NUMPY: Mapping[str, str] = {
     "arctan2": "Math.atan2",
     "maximum": "Math.max",
     "minimum": "Math.min",
-    **{name: f"$.{name}" for name in ("abs", "rint", "radians", "degrees", "copysign", "fmin")},
+    **{
+        name: f"$.{name}"
+        for name in ("abs", "rint", "round", "conj", "radians", "degrees", "copysign", "fmin")
+    },
     "nan_to_num": "$.known",
     "negative": "$.opposite",
     "isnan": "$.missing",
@@ -112,7 +115,7 @@ class Script:
             If it does what single numbers cannot be asked for.
         """
         if function not in self.texts:
-            written = _Function(self, function)
+            written = Written(self, function)
             text = written.text()
             self.names[function] = self._free(function.__name__)
             self.texts[function] = f"function {self.names[function]}({written.takes}) {{\n{text}}}"
@@ -140,11 +143,11 @@ class Script:
         self,
         tables: Mapping[str, Mapping[str, Callable[..., Any]]],
         taken: str,
-        logs: Mapping[str, Iterable[Step]] | None = None,
+        logs: Mapping[str, str] | None = None,
     ) -> str:
         """Return the program that hands tables of functions to the function ``taken`` of the page.
 
-        ``logs``: steps that it hands over as functions in one more table, "log", by their names (`log`). The
+        ``logs``: functions of steps (`log`) that it hands over in one more table, "log", by their names. The
         same tables, the same text.
         """
         rows = {
@@ -152,13 +155,24 @@ class Script:
             for name, functions in tables.items()
         }
         if logs:
-            rows["log"] = ", ".join(f"{name}: {self.log(steps)}" for name, steps in logs.items())
+            rows["log"] = ", ".join(map(": ".join, logs.items()))
         told = ", ".join(f"{name}: {{ {row} }}" for name, row in rows.items())
-        body = indent("\n".join(self.texts.values()), " ")
-        return _tight(f"{taken}((({OWN}) => {{\n{body}\nreturn {{ {told} }};\n}})(ARITHMETIC));\n")
+        body = indent("\n".join(self.functions), " ")
+        takes, needs = ", ".join(self.needs), ", ".join(self.needs.values())
+        return _tight(f"{taken}((({takes}) => {{\n{body}\nreturn {{ {told} }};\n}})({needs}));\n")
+
+    @property
+    def functions(self) -> list[str]:
+        """The functions that are written down."""
+        return [*self.texts.values()]
+
+    @property
+    def needs(self) -> dict[str, str]:
+        """What does the arithmetic of the functions that are written down, by what these call it."""
+        return {OWN: "ARITHMETIC"}
 
 
-class _Function:
+class Written:
     """A function while it is written down."""
 
     def __init__(self, script: Script, function: Callable[..., Any]) -> None:

@@ -12,17 +12,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.script import Script
-from graphic_tmm.board.values import Complexes, Reals
+from graphic_tmm.board.script_rows import RowScript
+from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.language.numbers import decimal_sign, fixed, number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.page.cursors import Cursor, cursors
+from graphic_tmm.page.cursors import Cursor, cursors, on_paper
 from graphic_tmm.page.dense import Dense, dense
 from graphic_tmm.page.figure_columns import figure_columns
 from graphic_tmm.page.glyphs import Glyphs
 from graphic_tmm.page.letters import BESIDE, lettered
+from graphic_tmm.page.live.charts import LiveCharts, live_cursor
 from graphic_tmm.page.live.log import LiveLog
 from graphic_tmm.page.live.values import place_in_log
 from graphic_tmm.page.pack import UNIT, Ints, Packer, packed
@@ -63,13 +64,14 @@ FLOWN = 100.0
 class Turned(NamedTuple):
     """What the page is given: data, and the block of rows that it speaks of; the mechanism at every angle.
 
-    ``slots``: the marks that ink and what is told are of.
+    ``slots``: the marks that ink and what is told are of; ``charted``: those of diagrams.
     """
 
     data: dict[str, Any]
     rows: bytes
     found: Dense
     slots: frozenset[int]
+    charted: frozenset[int]
 
 
 def crank(made: DrawnScene, sheets: Sequence[Sheet], *, live: bool = False) -> Turned | None:
@@ -106,6 +108,9 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet], *, live: bool = False) -> T
             for name, moving in there.items()
         ]
         slots |= _from_log(found, figures, columns, rows)
+    on_charts = list(cursors(found, drawn, sheets))
+    charts = LiveCharts(found, drawn, on_charts, sheets) if live and on_charts else None
+    charted = charts.slots if charts is not None else frozenset[int]()
     language = made.scene.language
     box = pens(sheets[0].format if sheets else "A1")
     data = {
@@ -123,13 +128,15 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet], *, live: bool = False) -> T
         },
         "figures": figures,
         "cursors": [
-            _cursor(one, drawn, found, sheets, rows) for one in cursors(found, drawn, sheets)
+            _cursor(one, drawn, found, sheets, rows) | (live_cursor(one, sheets) if live else {})
+            for one in on_charts
         ],
+        **(charts.data() if charts is not None else {}),
         "glyphs": glyphs.made,
         "lengths": [row.size for row in rows],
         **({"ties": ties.data()} if ties is not None else {}),
     }
-    return Turned(data, packed(rows), found, slots)
+    return Turned(data, packed(rows), found, slots, charted)
 
 
 def _ends(found: Dense, language: str) -> dict[str, Any]:
@@ -334,7 +341,7 @@ def _from_log(
     rows: list[Ints],
 ) -> frozenset[int]:
     """Leave to the log of the page what it has of the values of figures; return the marks (slots)."""
-    log, slots = LiveLog(found, Script()), set[int]()
+    log, slots = LiveLog(found, RowScript()), set[int]()
     for figure, some in zip(figures, columns, strict=True):
         for value, column in zip(figure["values"], some, strict=True):
             if place := place_in_log(log, column):
@@ -360,14 +367,6 @@ def fine(row: Reals, rows: list[Ints]) -> dict[str, Any]:
         "worth": worth,
         "there": _presence(row[:, None]),
     }
-
-
-def on_paper(spots: Complexes, sheet: Sheet) -> Complexes:
-    """Return places on a sheet, mm; NaN of those beside it."""
-    there = (abs(spots.real - sheet.width / 2) <= sheet.width / 2) & (
-        abs(spots.imag - sheet.height / 2) <= sheet.height / 2
-    )
-    return np.where(there, spots, complex("nan"))
 
 
 def _cursor(

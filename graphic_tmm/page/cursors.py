@@ -11,7 +11,7 @@ from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import over
 from graphic_tmm.board.operations.graphs import erect
-from graphic_tmm.board.record import Construction, Mark, Step
+from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve, Point
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.dense import Dense
@@ -28,6 +28,9 @@ class Cursor(NamedTuple):
     ``view``: the id of the view, on the ``sheet`` of that number; ``curve``: its slot; ``spots``: the point at
     every angle, mm, where the sheet has it, NaN where there is none; ``origin``: where the graph begins there.
     ``letter``: of what it tells; ``mu``: of its ordinates, in ``unit``; ``upright``: it stands over a base.
+    ``chart``: of what graph, ``behind``: so many positions behind the others it runs; ``base``: the beginning
+    and the end of its base, none where it has none; ``by_number``: its place on the curve is its number in the
+    row.
     """
 
     view: str
@@ -40,6 +43,10 @@ class Cursor(NamedTuple):
     unit: str
     upright: bool
     reading: Mark | None
+    chart: Chart
+    behind: int
+    base: tuple[Mark, ...]
+    by_number: bool
 
 
 def cursors(dense: Dense, drawn: Drawn, sheets: Sequence[Sheet]) -> Iterator[Cursor]:
@@ -55,6 +62,8 @@ def cursors(dense: Dense, drawn: Drawn, sheets: Sequence[Sheet]) -> Iterator[Cur
                 if step.it.view not in view.shows or not _inked(view, step):
                     continue
                 chart, origin = charts[step.it.view], view.origin(step.it.view)
+                axes = _axes(log, step)
+                base = tuple(axes.marks[k] for k in (ORIGIN, END)) if axes is not None else ()
                 for through, behind in _through(chart, step):
                     spots, upright = _spots(dense, log, step, reading, through, behind)
                     read = _read(log, step, chart, through)
@@ -69,6 +78,10 @@ def cursors(dense: Dense, drawn: Drawn, sheets: Sequence[Sheet]) -> Iterator[Cur
                         chart.unit,
                         upright,
                         read,
+                        chart,
+                        behind,
+                        base if upright else (),
+                        not (upright or _over_points(dense, log, step, through)),
                     )
 
 
@@ -101,7 +114,7 @@ def _read(log: Construction, step: Step, chart: Chart, through: Mark) -> Mark | 
     """Return the reading, from the base, of the points that a curve goes through or that were marked on it."""
     points = {through}
     points |= {one.it for one in log.steps if one.uses[:1] == (step.it,) and one.it.kind is Point}
-    axes = next((f for f in log.figures if f.kind == "axes" and f.view == step.it.view), None)
+    axes = _axes(log, step)
     found = (s for s in log.steps if s.it in chart.ordinates and s.uses[1] in points)
     return next((s.it for s in found if axes is None or s.uses[0] == axes.marks[FEET]), None)
 
@@ -116,15 +129,24 @@ def _spots(
     count = dense.drawn.project.count
     numbers = dense.numbers - behind
     curve: Curve = reading[step.it]
-    axes = next((f for f in log.figures if f.kind == "axes" and f.view == step.it.view), None)
+    axes = _axes(log, step)
     if axes is not None and not curve.closed:
         origin, end = (reading[axes.marks[k]][0, 0] for k in (ORIGIN, END))
         feet = origin + numbers / count * (end - origin)
         return np.asarray(erect.run(curve, feet[None, :])[0]), True
-    if through in dense.drawn.reading and axes is None:
+    if _over_points(dense, log, step, through):
         x = np.broadcast_to(dense.drawn.reading[through][0].real, numbers.shape)
         return np.asarray(x + 1j * over(curve, numbers, x)), False
     return _on(curve, numbers), False
+
+
+def _axes(log: Construction, step: Step) -> Figure | None:
+    return next((f for f in log.figures if f.kind == "axes" and f.view == step.it.view), None)
+
+
+def _over_points(dense: Dense, log: Construction, step: Step, through: Mark) -> bool:
+    """Whether a place on a curve is sought over a point that moves with the mechanism."""
+    return through in dense.drawn.reading and _axes(log, step) is None
 
 
 def _on(curve: Curve, numbers: np.ndarray) -> Complexes:
@@ -140,3 +162,11 @@ def _on(curve: Curve, numbers: np.ndarray) -> Complexes:
         + q * u**2 * (3 - 2 * u)
         + n * u**2 * (u - 1)
     )
+
+
+def on_paper(spots: Complexes, sheet: Sheet) -> Complexes:
+    """Return places on a sheet, mm; NaN of those beside it."""
+    there = (abs(spots.real - sheet.width / 2) <= sheet.width / 2) & (
+        abs(spots.imag - sheet.height / 2) <= sheet.height / 2
+    )
+    return np.where(there, spots, complex("nan"))

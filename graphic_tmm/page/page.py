@@ -27,8 +27,7 @@ from typing import Any
 from graphic_tmm.accuracy.answer import Answer
 from graphic_tmm.accuracy.answer_text import sentences
 from graphic_tmm.accuracy.figure_inline import inline_figure
-from graphic_tmm.board.record import Step
-from graphic_tmm.board.script import Script
+from graphic_tmm.board.script_rows import RowScript
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import environment
@@ -185,16 +184,16 @@ def page(
     language = made.scene.language
     data = page_data(made, sheets)
     turned = crank(made, sheets, live=live)
-    board = Script()
+    board = RowScript()
     tables: Tables = {}
-    logs: Mapping[str, Sequence[Step]] = {}
+    logs: Mapping[str, str] = {}
     if turned is not None:
         data["crank"] = turned.data
         if "ends" in turned.data:
             data["words"] |= _said(ENDS, language)
     further: tuple[str, ...] = ()
     if turned is not None and live:
-        data["live"], logs = live_log(turned.found, turned.slots, board, language)
+        data["live"], logs = live_log(turned.found, turned.slots, turned.charted, board, language)
         data["words"] |= _said(LIVE, language)
         further = (LENGTHS,)
     if practised and (asked := practice(made, sheets, data["views"], seed, board)) is not None:

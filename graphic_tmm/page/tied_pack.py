@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.script import Script
+from graphic_tmm.board.script_rows import RowScript
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.dense import Dense
@@ -106,9 +106,11 @@ class Tied(NamedTuple):
 
 def _run(found: Dense) -> int:
     """Return the marks that a page's log knows, a bit for each slot."""
-    log = LiveLog(found, Script())
-    steps = (step.it for row in log.logs.values() for step in row)
-    return sum(1 << slot for slot in {mark.slot for mark in (*log.own, *log.kept, *steps)})
+    log = LiveLog(found, RowScript())
+    steps = (step.it for step in (*log.live, *log.sheet))
+    return sum(
+        1 << slot for slot in {mark.slot for mark in (*log.own, *log.kept, *steps)} | {*log.carried}
+    )
 
 
 class FigureTies:

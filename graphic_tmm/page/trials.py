@@ -11,7 +11,7 @@ import numpy as np
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, kept
 from graphic_tmm.board.values import Complexes, Number
 from graphic_tmm.drawn import Drawn, Numbers
 from graphic_tmm.page.dense import Dense
@@ -67,7 +67,20 @@ def varied(found: Dense, n: int, share: float) -> dict[Mark, Any]:
         if _quantity(mark, given[mark]):
             by = 2.0 * crc32(f"{mark.name} {n}".encode()) / 2**32 - 1.0
             given[mark] = given[mark] * (1.0 + share * by)
-    return given
+    return given | _across(found, given)
+
+
+def _across(found: Dense, given: Mapping[Mark, Any]) -> dict[Mark, Any]:
+    """Return what is drawn once across the positions of the sheet, with other givens."""
+    log, sheet = found.sheet.construction, found.sheet.given
+    own = {m: given.get(m, value) if _single(value) else value for m, value in sheet.items()}
+    marks = [step.it for step in log.steps if step.op.across and step.it in given]
+    drawn = kept(log, own, execute(log, own, marks).values)
+    return {mark: drawn[mark] for mark in marks if mark in drawn}
+
+
+def _single(value: Any) -> bool:
+    return np.size(value) == 1
 
 
 def _quantity(mark: Mark, value: Any) -> bool:

@@ -19,7 +19,7 @@ from graphic_tmm.board.grammar import OPERATIONS, Operation
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import NotCompiled
 from graphic_tmm.board.values import Angle, Arc, Curve, Length, Line, Number, Point, Side, arrays
-from graphic_tmm.page.practice.pack import HEAD
+from graphic_tmm.page.practice.pack import written_module
 from graphic_tmm.scene.chapter import whole_book
 
 TIMES = 12
@@ -95,9 +95,7 @@ def test_node_makes_what_numpy_makes(tmp_path: Path) -> None:
         for _ in range(TIMES)
         if not op.choices
     ]
-    written = HEAD + script.program(
-        {"operations": {n: o.run for n, o in ops.items()}}, "enterBoard"
-    )
+    written = written_module(script, {"operations": {n: o.run for n, o in ops.items()}})
     answers = _ran([[op.name, *values] for op, values in cases], written, tmp_path)
     compared = 0
     for (op, values), answer in zip(cases, answers, strict=True):
@@ -117,7 +115,7 @@ def test_node_makes_what_numpy_makes(tmp_path: Path) -> None:
 def test_the_eight_main_directions_are_exact(tmp_path: Path) -> None:
     script = Script()
     tables = {"operations": {"cis": cis, "degrees": degrees}}
-    written = HEAD + script.program(tables, "enterBoard")
+    written = written_module(script, tables)
     angles = [45.0 * k for k in range(-8, 9)]
     found = _ran([["cis", angle] for angle in angles], written, tmp_path)
     due = [complex(z) for z in cis(np.array([angles]))[0]]

@@ -19,7 +19,8 @@ from support.scenes import written
 from graphic_tmm.chapters.kinematics.task import PLANS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Mechanism, Row
-from graphic_tmm.page.crank import Turned, crank, fine, on_paper
+from graphic_tmm.page.crank import Turned, crank, fine
+from graphic_tmm.page.cursors import on_paper
 from graphic_tmm.page.pack import UNIT, packed, unpacked
 from graphic_tmm.page.page import page
 from graphic_tmm.page.strands import AWAY, unfolded

@@ -217,11 +217,13 @@ def stationary(p: Complexes, m: Complexes, turned: complex | Complexes) -> list[
     inside: Reals = b * b - 4 * a * c
     root = np.sqrt(np.where(inside >= 0, inside, np.nan))
     half = -(b + np.copysign(root, b)) / 2
-    found = []
-    for u in (half / np.where(a == 0, np.nan, a), c / np.where(half == 0, np.nan, half)):
-        t = np.where((u >= 0) & (u <= 1), u, np.nan)
-        found.append(p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n))))
-    return found
+    shares = (half / np.where(a == 0, np.nan, a), c / np.where(half == 0, np.nan, half))
+    return [_on_arc(p, q, m, n, np.where((u >= 0) & (u <= 1), u, np.nan)) for u in shares]
+
+
+def _on_arc(p: Complexes, q: Complexes, m: Complexes, n: Complexes, t: Reals) -> Complexes:
+    """Return places on cubic arcs between ends p and q with tangents m and n."""
+    return p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n)))
 
 
 def over(curve: Curve, numbers: Reals, feet: Reals) -> Reals:

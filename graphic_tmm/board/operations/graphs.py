@@ -144,7 +144,7 @@ def _arc(
     knots = np.where(np.isfinite(curve.knots), curve.knots, np.nan + np.nan * 1j)
     x = _abscissas(curve.knots)
     at, x, points, tangents = alike(foot.real, x, knots, curve.tangents)
-    near = np.clip(_before(x, at), 0, knots.shape[1] - 2)
+    near = np.clip(knot_before(x, at), 0, knots.shape[1] - 2)
     low, high = (np.take_along_axis(x, k, axis=1) for k in (near, near + 1))
     u = (at - low) / (high - low)
     p, q = (np.take_along_axis(points, k, axis=1) for k in (near, near + 1))
@@ -157,7 +157,7 @@ def _arc(
     return (p, q), (m, n), np.where(beyond <= 1e-9, u, np.where(near_enough, within, np.nan))
 
 
-def _before(x: Reals, at: Reals) -> NDArray[np.intp]:
+def knot_before(x: Reals, at: Reals) -> NDArray[np.intp]:
     """Return the last knot that stands at or before each foot, row by row; -1 where none does."""
     found = np.asarray((x[:, None] <= at[:, :, None]).sum(axis=2))
     for k in np.flatnonzero(~(np.diff(x) >= 0.0).all(axis=1)):
@@ -173,9 +173,11 @@ def _abscissas(knots: Complexes) -> Reals:
     for row in x:
         there = np.isfinite(row)
         if 2 <= there.sum() < row.size:
-            k = np.arange(row.size)
-            even = np.polynomial.polynomial.polyfit(k[there], row[there], 1)
-            row[~there] = np.polynomial.polynomial.polyval(k[~there], even)
+            k, count = np.arange(row.size), there.sum()
+            middle, level = k[there].sum() / count, row[there].sum() / count
+            off = k - middle
+            even = (off[there] * row[there]).sum() / (off[there] * off[there]).sum()
+            row[~there] = level + even * off[~there]
     return x
 
 
@@ -195,7 +197,7 @@ def succession(start: Point, rays: Line, feet: Point, end: Point, *, row: int) -
     The intervals are those of ``feet`` and ``end``; each segment begins where the one before it ended.
     """
     rises = _rises(rays, feet, end, row)
-    found = np.full(rises.shape[:1] + feet.shape[1:], np.nan + np.nan * 1j)
+    found = np.full((rises.shape[0], feet.shape[1]), np.nan + np.nan * 1j)
     y = start[:, :1].imag + np.concatenate([np.zeros_like(rises[:, :1]), rises[:, :-1]], 1).cumsum(
         1
     )

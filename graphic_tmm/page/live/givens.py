@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from typing import Any
 
 import numpy as np
 
 from graphic_tmm.board.execute import needed
 from graphic_tmm.board.findings import Finding, step_number
-from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.script import Script
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.script_rows import RowScript
 from graphic_tmm.board.values import Curve, Number
 from graphic_tmm.language.symbols import spoken
 from graphic_tmm.language.units import unit
@@ -30,17 +30,18 @@ IN_MM = 1000.0
 def live_log(
     found: Dense,
     slots: Collection[int],
-    script: Script,
+    charted: Collection[int],
+    script: RowScript,
     language: str,
-) -> tuple[dict[str, Any], Mapping[str, Sequence[Step]]]:
-    """Return what the page needs to run the log with other givens, and the steps of the log that it needs.
+) -> tuple[dict[str, Any], Mapping[str, str]]:
+    """Return what the page needs to run the log with other givens, and the steps of the log written down.
 
-    ``slots``: the marks that ink and what is told of figures are of.
+    ``slots``: the marks that ink and what is told of figures are of; ``charted``: those of diagrams.
     """
-    body = _Body(LiveLog(found, Script()))
+    body = _Body(LiveLog(found, RowScript()))
     over = {mark.slot for mark in body.marks}
     scales = free_scales(found)
-    log = LiveLog(found, script, {*slots, *over, *marks_of(scales)}, over)
+    log = LiveLog(found, script, {*slots, *over, *marks_of(scales)}, over, charted)
     # the pin of the crank is what turns it
     crank = [mark.slot for mark in body.crank]
     data = {
@@ -55,7 +56,7 @@ def live_log(
         **_output(log, body, language),
         "scales": scales_data(log, scales),
     }
-    return data, log.logs
+    return data, log.functions
 
 
 class _Body:

@@ -19,7 +19,7 @@ def place_in_log(log: LiveLog, column: Column) -> list[Any]:
     """Return where the log has a column: slot, slot of its scale, 1 where its size counts; [] if nowhere."""
     row, reading = column.value[0], log.found.drawn.reading
     size = float(np.nanmax(np.abs(row), initial=0.0))
-    marks = [*log.own, *(step.it for step in (*log.still, *log.turn))]
+    marks = [*log.own, *(step.it for step in log.live)]
     names = {column.segment, column.letter, column.quantity}
     named = [m for m in marks if m.view == column.plan and names & {segment_name(m.letter), m.name}]
     still = np.ptp(row[np.isfinite(row)]) <= ALIKE * size

@@ -49,15 +49,15 @@ SOUGHT = {
 }
 """What is done with what a check reads of a plan, by what that is."""
 Tables = Mapping[str, Mapping[str, Any]]
-HEAD = 'import { ARITHMETIC } from "./arithmetic.js";\nimport { enterBoard } from "./board.js";\n'
-"""What the module that is written down needs of the page."""
+FROM = {"ARITHMETIC": "./arithmetic.js", "ROWS": "../live/rows.js"}
+"""The modules of the page that do the arithmetic of the one that is written down."""
 
 
-def written_module(
-    script: Script, tables: Tables, logs: Mapping[str, Sequence[Step]] | None = None
-) -> str:
+def written_module(script: Script, tables: Tables, logs: Mapping[str, str] | None = None) -> str:
     """Return the module that enters what is written down of the board; see `Script.program`."""
-    return HEAD + script.program(tables, "enterBoard", logs)
+    program = script.program(tables, "enterBoard", logs)
+    needs = "".join(f'import {{ {one} }} from "{FROM[one]}";\n' for one in script.needs.values())
+    return f'{needs}import {{ enterBoard }} from "./board.js";\n{program}'
 
 
 class Packing:

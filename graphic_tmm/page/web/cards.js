@@ -55,13 +55,36 @@ export function cardsOf(data, dense, packed, lengths = null) {
     const told = own.filter((one) => one.letter !== "").map((one) => {
       const height = placeOf(one.y, rows);
       const mm = (/** @type {number} */ k) => Math.round(1000 * (one.origin - height(k))) / 1000;
-      return { ...one, number: (/** @type {number} */ k) => fourFigures(mm(k) * one.mu, dense.decimal) };
+      return {
+        ...one,
+        number: (/** @type {number} */ k) => fourFigures(mm(k) * one.mu, dense.decimal),
+        live: (/** @type {number} */ k) => (lengths?.changed() === true ? shownCursors()?.told(own.indexOf(one), k) : undefined),
+      };
     });
+    const results = (dense.results ?? []).filter((one) => one.view === id).map((one) => ({
+      ...one,
+      texts: [],
+      there: /** @type {0} */ (0),
+      number: () => one.text,
+      live: () => (lengths?.changed() === true ? resultText(lengths.mark(one.slot), dense.decimal) : undefined),
+    }));
+    /** @type {Cursors | null} */
+    let made = null;
+    const shownCursors = () => made;
+    const make = () => (made = new Cursors(view, own, rows, lengths, dense.decimal));
     const letters = [...new Set(told.map((one) => one.letter))];
     const title = letters.length > 1 ? letters.join(", ") : view.title;
-    return [card(id, title, "", view.box, new Values(dense, told), () => new Cursors(view, own, rows), null)];
+    return [card(id, title, "", view.box, new Values(dense, [...told, ...results]), make, null)];
   });
   return [...figures, ...views];
+}
+
+/**
+ * @param {number} value
+ * @param {string} decimal
+ */
+function resultText(value, decimal) {
+  return Number.isFinite(value) ? fourFigures(value, decimal) : NONE;
 }
 
 /**

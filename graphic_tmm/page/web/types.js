@@ -35,13 +35,20 @@
  *   letters: [number, number[], number[], There, Variant[]?][], values: Value[], still?: [string, string][],
  *   stands?: [number, number, number][], crank?: number[]}} MovingFigure
  * @typedef {{view: string, letter: string, unit: string, mu: number, origin: number, upright: boolean,
- *   x: number[], y: number[], there: There, texts: (string | null)[]}} Cursor
+ *   x: number[], y: number[], there: There, texts: (string | null)[], curve?: number, of?: number, at?: [number, number],
+ *   behind?: number, base?: number[]}} Cursor `curve`, `of`: the curve and its scale factor, by slots; `at`: where its view begins
+ *   on the sheet; `behind`: so many positions behind others; `base`: its ends, none of a curve whose knots are the positions
+ * @typedef {{view: string, letter: string, unit: string, text: string, slot: number}} Result what comes out of a view
  * `ends`: of a row that is no whole turn, what its place is called, where it begins, how far a step goes.
  * @typedef {{whole: number, step: number, sense: number, zero: number, more: number[], lengths: number[],
  *   ends?: {letter: string, unit: string, from: number, per: number},
  *   positions: [string, number][], why: [number, number, string][], decimal: string,
  *   pens: Record<string, [number, number[], string, string]>, figures: MovingFigure[], cursors: Cursor[],
- *   glyphs: Glyph[], ties?: Ties}} Dense
+ *   glyphs: Glyph[], ties?: Ties, numbers?: [number, number, number], results?: Result[],
+ *   hangs?: Record<string, number[]>, segments?: [string, ...number[]][]}} Dense `numbers`: of the row, the first, by how
+ *   much they go on, how many there are; `hangs`: on which marks ink of others hangs;
+ *   `segments`: lines of ink from mark to mark: view, slot, width of the pen, both marks, where their plan
+ *   begins on the sheet
  *
  * Ink tied to marks; the names are those of page/tied_pack.py. What is tied has no coordinates where its variants tell
  * all of it; of a letter they are how far it is off its point.
@@ -58,7 +65,8 @@
  *   what can be changed, in SI; told in `u`, `by` times
  * @typedef {[number, ["on" | "aside" | "from", number, number, number][], number?]} JointLimbs a joint, and how it is measured: along
  *   a line or aside from it, or from a centre; from which mark, the given length, its scale; of the crank's pin its pivot
- * @typedef {{size: number, more: number[], given: Record<string, Told>, kept: Record<string, Told>, sliders: Slider[],
+ * @typedef {{size: number, more: number[], given: Record<string, Told>, kept: Record<string, Told>,
+ *   positions: number, rowed: Record<string, Told>, carried: number[], sliders: Slider[],
  *   breaks: [number, string][], pin: number[], paths: number[], joints: JointLimbs[], scales: ScalesData, out?: Output}} LiveData
  * @typedef {{slot: number, scale: number, turn: number, l: string, pivot?: number}} Output what the mechanism moves to and
  *   fro: a point by its letter, or a link by its number and a point of it; so many steps are a turn
@@ -73,6 +81,8 @@
  * @typedef {{re: number, im: number}} Complex
  * @typedef {{at: Complex, along: Complex}} DrawnLine
  * @typedef {{centre: Complex, radius: number}} DrawnArc
+ * @typedef {{knots: Complex[][], tangents: Complex[][], closed: boolean}} DrawnCurve arrays of one trial
+ * @typedef {Drawn | DrawnCurve | undefined} AcrossMark what a mark is in a position of the sheet
  * @typedef {number | Complex | DrawnLine | DrawnArc} Drawn what a mark is: a length, an angle, a quantity, a point …
  * @typedef {"point" | "line" | "arc" | "length" | "angle" | "number" | "side"} Kind
  * @typedef {{l: string, n: string, k: Kind, v: number, u?: string, s?: 1}} PracticeMark its letter as mark-up, as

@@ -4,43 +4,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Any
-from zlib import crc32
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 from support import gallery, strangers
-from support.live_logs import LivePage, by_page, live_page
+from support.live_logs import (
+    CASES,
+    DUST,
+    NEAR,
+    Floats,
+    LivePage,
+    by_page,
+    changed,
+    largest,
+    live_page,
+    turning,
+)
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.record import Mark, again
-from graphic_tmm.board.values import Number, Point, arrays
+from graphic_tmm.board.record import again
+from graphic_tmm.board.values import Point, arrays
 
-CASES = 5
-"""So often givens are changed of each scene."""
-SHARE = 0.04
-"""They are changed by so much at most."""
-NEAR = 1e-9
-"""Numbers are alike to this share of the largest of their kind in their view."""
 ANGLES = 9
-DUST = 1e-6
-"""What is smaller than this share of the largest of its kind is what sums that cancel leave."""
-Floats = NDArray[np.float64]
-
-
-def turning() -> list[str]:
-    """Return the scenes of the package whose mechanism turns."""
-    return [name for name in gallery.ALL if gallery.scene(name).mechanism is not None]
-
-
-def changed(page: LivePage, n: int) -> dict[Mark, float]:
-    """Return quantities that are given, each changed by another share; alike letters alike."""
-    return {
-        mark: float(np.ravel(value)[0])
-        * (1.0 + SHARE * (2.0 * crc32(f"{mark.name} {n}".encode()) / 2**32 - 1.0))
-        for mark, value in page.log.own.items()
-        if mark.kind is Number and mark.unit and np.size(value) == 1
-    }
 
 
 def off(page: LivePage, due: Mapping[int, object], told: list[list[Any]], at: list[int]) -> float:
@@ -69,11 +54,6 @@ def off(page: LivePage, due: Mapping[int, object], told: list[list[Any]], at: li
                 apart = largest(one - other)
                 worst = max(worst, apart / max(sizes[view], least) if apart else 0.0)
     return worst
-
-
-def largest(numbers: Floats) -> float:
-    """Return the largest of numbers, 0 where there is none."""
-    return float(np.nanmax(np.abs(numbers), initial=0.0))
 
 
 @pytest.mark.parametrize("name", turning())

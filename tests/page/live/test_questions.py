@@ -9,10 +9,10 @@ import pytest
 from support import gallery
 from support.scripts import run
 
-from graphic_tmm.board.script import Script
+from graphic_tmm.board.script_rows import RowScript
 from graphic_tmm.page.dense import dense
 from graphic_tmm.page.live.givens import live_log
-from graphic_tmm.page.practice.pack import HEAD
+from graphic_tmm.page.practice.pack import written_module
 
 PROGRAM = """
 import "./practice/written.js";
@@ -51,12 +51,10 @@ def asked_of(name: str, *tried: tuple[str, float]) -> dict[str, Any]:
     """Return what a page finds with some lengths tried, and the questions that it asks."""
     found = dense(gallery.drawn(name))
     assert found is not None
-    script = Script()
-    data, logs = live_log(found, {step.it.slot for step in found.log.steps}, script, "en")
+    script = RowScript()
+    data, logs = live_log(found, {step.it.slot for step in found.log.steps}, (), script, "en")
     asked = {"data": data, "whole": found.whole, "tried": tried}
-    told: dict[str, Any] = run(
-        PROGRAM, asked, written=HEAD + script.program({}, "enterBoard", logs)
-    )
+    told: dict[str, Any] = run(PROGRAM, asked, written=written_module(script, {}, logs))
     return told
 
 

@@ -1,6 +1,7 @@
 import { filled } from "../dom.js";
 import { fourFigures } from "../crank-values.js";
 import { LENGTHS } from "../lengths.js";
+import { LiveChart } from "./charts.js";
 import { jointRings } from "./joints.js";
 import { LiveInk } from "./liveink.js";
 import { lengthsPanel } from "./panel.js";
@@ -170,6 +171,8 @@ export function begunLengths(data, dense, show) {
     },
     changed: () => good.size > 0,
     scale: (name, k) => (good.size === 0 ? NaN : Number(run.marks(k)[live.scales.shown[name] ?? -1])),
+    mark: (slot) => Number(run.charts()[0]?.[slot]),
+    chart: (svg, cursors) => new LiveChart(run, dense, svg, cursors),
     stand: (k) => rings(k),
     pin: (k) => (good.size === 0 ? null : pinAt(k)),
     lead(svg) {

@@ -4,6 +4,7 @@ import { givenAt, NUMBERS_OF } from "../practice/given.js";
 /**
  * @typedef {import("../types.js").Drawn} Drawn
  * @typedef {import("../types.js").Told} Told
+ * @typedef {import("../types.js").AcrossMark} AcrossMark
  * @typedef {import("../types.js").LiveData} LiveData
  */
 
@@ -23,6 +24,8 @@ export class LiveRun {
     this.changed = new Map();
     /** @type {(Drawn | undefined)[][]} */
     this.rows = this.frames.map(() => new Array(data.size));
+    /** So often something was given. */
+    this.version = 0;
     this.shown = new Uint8Array(this.frames.length);
     /** @type {(Drawn | undefined)[]} */
     this.full = new Array(data.size);
@@ -34,6 +37,10 @@ export class LiveRun {
     this.kept = [];
     /** @type {(Drawn | undefined)[]} */
     this.alike = new Array(data.size);
+    /** All marks in each position of the sheet, once they are asked for. @type {AcrossMark[][] | null} */
+    this.table = null;
+    /** Whether diagrams are among them. */
+    this.charted = false;
     this.turning = Object.entries(data.given).filter(([, one]) => varies(one));
     this.begin();
   }
@@ -47,12 +54,34 @@ export class LiveRun {
     this.begin();
   }
 
+  /**
+   * Return the values of all marks in each position of the sheet, those of diagrams among them.
+   */
+  charts() {
+    const table = this.positions();
+    if (!this.charted) BOARD.log["charts"]?.(table);
+    this.charted = true;
+    return table;
+  }
+
+  /** Return the same with what the scene gives. */
+  ownCharts() {
+    const { changed } = this;
+    this.give(new Map());
+    const found = this.charts();
+    this.give(changed);
+    return found;
+  }
+
   begin() {
     const { alike, data } = this;
+    this.version++;
     this.shown.fill(0);
     this.at = -1;
     alike.fill(undefined);
     for (const [slot, one] of Object.entries(data.given)) if (!varies(one)) alike[Number(slot)] = this.taken(Number(slot), one, 0);
+    this.table = null;
+    this.charted = false;
     if (this.changed.size === 0) for (const [slot, one] of Object.entries(data.kept)) alike[Number(slot)] = givenAt(one.k, one.v ?? null, 0);
     BOARD.log["still"]?.(alike);
     // what turns is entered anew at each angle
@@ -78,14 +107,37 @@ export class LiveRun {
    * @param {number} k
    */
   marks(k) {
+    if (k === this.at) return this.full;
+    const { after, sheet } = BOARD.log;
+    const [first = []] = after === undefined ? [] : this.positions();
     const M = this.full;
-    if (k === this.at) return M;
-    this.at = k;
     for (const [slot, one] of this.turning) M[Number(slot)] = this.taken(Number(slot), one, k);
     BOARD.log["way"]?.(M);
     BOARD.log["turn"]?.(M);
-    if (this.changed.size === 0) BOARD.log["sheet"]?.(M);
+    for (const slot of this.data.carried) M[slot] = /** @type {Drawn | undefined} */ (first[slot]);
+    after?.([M]);
+    if (this.changed.size === 0) sheet?.(M);
+    this.at = k;
     return M;
+  }
+
+  /**
+   * Return the values in each position of the sheet of all marks that angles hang on, across positions too.
+   * @returns {AcrossMark[][]}
+   */
+  positions() {
+    if (this.table !== null) return this.table;
+    const rowed = Object.entries(this.data.rowed);
+    const table = Array.from({ length: this.data.positions }, (_, n) => {
+      const M = [...this.alike];
+      for (const [slot, one] of rowed) M[Number(slot)] = this.changed.get(Number(slot)) ?? givenAt(one.k, one.v ?? null, n);
+      BOARD.log["way"]?.(M);
+      BOARD.log["turn"]?.(M);
+      return M;
+    });
+    BOARD.log["across"]?.(table);
+    this.table = table;
+    return table;
   }
 
   /**

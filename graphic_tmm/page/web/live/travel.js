@@ -15,9 +15,9 @@
 export function strokesOf(out, rows, scale) {
   const places = rows.map((marks) => placeIn(marks[out.slot]));
   const pivots = rows.map((marks) => (out.pivot === undefined ? PIVOT : placeIn(marks[out.pivot])));
-  const arms = places.map((one, k) => minus(one, pivots[k] ?? NOWHERE));
+  const arms = places.map((one, k) => apartFrom(one, pivots[k] ?? NOWHERE));
   if (!arms.every((arm) => Number.isFinite(arm.re + arm.im))) return null;
-  const row = out.pivot === undefined ? along(arms) : bearings(arms);
+  const row = out.pivot === undefined ? travelOn(arms) : bearings(arms);
   if (row === null) return null;
   const [high, low] = [peak(row, 1), peak(row, -1)];
   const way = (((high.at - low.at) % row.length) + row.length) % row.length;
@@ -43,7 +43,7 @@ function placeIn(mark) {
  * @param {Complex} one
  * @param {Complex} other
  */
-function minus(one, other) {
+function apartFrom(one, other) {
   return { re: one.re - other.re, im: one.im - other.im };
 }
 
@@ -51,9 +51,9 @@ function minus(one, other) {
  * Return how far places on a line are along it.
  * @param {Complex[]} places
  */
-function along(places) {
+function travelOn(places) {
   const [first = NOWHERE] = places;
-  const off = places.map((one) => minus(one, first));
+  const off = places.map((one) => apartFrom(one, first));
   const far = off.reduce((held, one) => (Math.hypot(one.re, one.im) > Math.hypot(held.re, held.im) ? one : held), PIVOT);
   const size = Math.hypot(far.re, far.im);
   return size > 0 ? off.map((one) => (one.re * far.re + one.im * far.im) / size) : null;

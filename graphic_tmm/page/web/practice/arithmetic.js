@@ -24,6 +24,8 @@ export const ARITHMETIC = {
   fmin: (/** @type {number} */ a, /** @type {number} */ b) => (Number.isNaN(a) || b < a ? b : a),
   copysign: (/** @type {number} */ x, /** @type {number} */ of) => (of < 0 || Object.is(of, -0) ? -Math.abs(x) : Math.abs(x)),
   rint,
+  round: (/** @type {number} */ x, /** @type {number} */ places) => rint(x * 10 ** places) / 10 ** places,
+  conj: (/** @type {Figure} */ z) => (typeof z === "number" ? z : complex(z.re, -z.im)),
   quadrant: (/** @type {number} */ q) => [complex(1, 0), complex(0, 1), complex(-1, 0), complex(0, -1)][((q % 4) + 4) % 4 || 0],
   radians: (/** @type {number} */ x) => (x * Math.PI) / 180,
   degrees: (/** @type {number} */ x) => (x * 180) / Math.PI,

@@ -4,7 +4,7 @@
  * @typedef {import("../types.js").DrawnLine} DrawnLine
  * @typedef {import("../types.js").DrawnArc} DrawnArc
  * @typedef {(...values: any[]) => Drawn} Operation values of marks, then choices
- * @typedef {(M: (Drawn | undefined)[]) => void} StraightLog (page/live/log.py)
+ * @typedef {(M: any, ...further: any[]) => any} StraightLog values by slots, or in the second table those in each of several positions (page/live/log.py)
  * @typedef {{
  *   off_line: (line: DrawnLine, found: Complex) => number,
  *   off_arc: (arc: DrawnArc, found: Complex) => number,
@@ -40,7 +40,7 @@ export const BOARD = {
   operations: {},
   /** @type {Slips} */
   slips: /** @type {Slips} */ ({}),
-  /** Rows of steps of the log, each entering the values of its marks into M by their slots. @type {Record<string, StraightLog>} */
+  /** Rows of steps of the log, each entering the values of its marks by their slots. @type {Record<string, StraightLog>} */
   log: {},
 };
 

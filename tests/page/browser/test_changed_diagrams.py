@@ -1,0 +1,106 @@
+"""Diagrams in a browser, lengths changed: their numbers are Python's, their ink follows or is hidden."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from support import pages
+from support.browser import Opened
+
+from graphic_tmm.board.execute import execute
+from graphic_tmm.board.values import Point
+from graphic_tmm.page.dense import dense
+
+Begin = Callable[..., Opened]
+NAME, POSITION, LENGTH = "slider-diagrams", 3, 0.11
+FAR = 0.02
+"""Ink is off by no more, mm: it is told in hundredths."""
+
+
+def _diagrams(page_of: Begin) -> Any:
+    page = page_of(NAME, "en", address="#crank:").page
+    page.wait_for_selector("#crank[data-ready]")
+    page.locator("#crank .row").get_by_role("button", name=str(POSITION), exact=True).click()
+    page.locator("#crank .card:has(.cursor)").scroll_into_view_if_needed()
+    page.wait_for_selector("#crank .card .cursor circle")
+    return page
+
+
+def _give(page: Any, text: str) -> None:
+    page.locator(".lengths").evaluate("(one) => { one.open = true; }")
+    field = page.get_by_role("textbox", name="l_OA, value")
+    field.fill(text)
+    field.press("Enter")
+    page.locator(".lengths").evaluate("(one) => { one.open = false; }")
+    page.locator("#crank .card:has(.cursor)").scroll_into_view_if_needed()
+
+
+def _as_given(page: Any) -> None:
+    page.locator(".lengths").evaluate("(one) => { one.open = true; }")
+    page.get_by_role("button", name="As given").click()
+    page.locator(".lengths").evaluate("(one) => { one.open = false; }")
+    page.locator("#crank .card:has(.cursor)").scroll_into_view_if_needed()
+
+
+def _told(page: Any) -> list[float]:
+    texts = page.locator("#crank .card:has(.cursor) .values dd").all_text_contents()
+    return [float(text.split()[0].replace("−", "-")) for text in texts]
+
+
+def test_diagrams_follow_a_length(page_of: Begin) -> None:
+    """The numbers beside are those of the points on Python's curves; as given they are what they were."""
+    page = _diagrams(page_of)
+    before = _told(page)
+    _give(page, f"{1000 * LENGTH:g}")
+    made, _ = pages.on_sheets(NAME, "en")
+    assert made.mechanism is not None
+    found = dense(made.mechanism)
+    assert found is not None
+    log = found.sheet.construction
+    own = {mark: LENGTH for mark in log.given if mark.name == "l_{OA}"}
+    reading = execute(log, {**found.sheet.given, **own})
+    scales = {view.name: view.scale for view in log.views if view.name.startswith("diagram")}
+    points = [s.it for s in log.steps if s.it.name in ("v", "a") and s.it.kind is Point]
+    due = [
+        reading[mark][0, POSITION].imag * reading[scale].item()
+        for mark in points
+        if (scale := scales.get(mark.view)) is not None
+    ]
+    told = _told(page)
+    assert len(due) == len(told) == len(before)
+    np.testing.assert_allclose(told, due, rtol=1e-3)
+    assert not np.allclose(told, before, rtol=0.05)
+    _as_given(page)
+    assert _told(page) == before
+
+
+def test_ink_of_the_sheet_that_moved_is_hidden_and_drawn_anew(page_of: Begin) -> None:
+    """No ink is where it was; the cursor stands on a curve that is drawn anew."""
+    page = _diagrams(page_of)
+    seen = "#crank .card:has(.cursor) g:not(.lettering) > path[data-of]:not([visibility=hidden])"
+    whole = page.locator(seen).count()
+    _give(page, f"{1000 * LENGTH:g}")
+    left = page.locator(seen).count()
+    assert 0 < left < whole
+    off = page.locator("#crank .card:has(.cursor) svg").first.evaluate(
+        """(svg) => [...svg.querySelectorAll(".cursor circle")].map((dot) => {
+          const [x, y] = [Number(dot.getAttribute("cx")), Number(dot.getAttribute("cy"))];
+          const all = [...svg.querySelectorAll("path:not([data-of])")];
+          const anew = all.filter((one) => /C/.test(one.getAttribute("d")));
+          return Math.min(...anew.map((path) => {
+            const long = path.getTotalLength();
+            let least = Infinity;
+            for (let s = 0; s <= long; s += 0.01) {
+              const at = path.getPointAtLength(s);
+              least = Math.min(least, Math.hypot(at.x - x, at.y - y));
+            }
+            return least;
+          }));
+        })"""
+    )
+    assert len(off) == len(_told(page))
+    assert max(off) < FAR
+    _as_given(page)
+    assert page.locator(seen).count() == whole
