@@ -27,7 +27,7 @@ sys.dont_write_bytecode = False
 
 # Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones, and more;
 # the everyday run a few.
-settings.register_profile("person", deadline=None)
+settings.register_profile("person", deadline=None, max_examples=50)
 settings.register_profile("ci", deadline=None, derandomize=True, database=None, max_examples=25)
 settings.register_profile("everyday", deadline=None, max_examples=FEW)
 

@@ -14,6 +14,7 @@ def test_a_test_belongs_to_the_scene_that_it_names() -> None:
 
 
 def test_tests_that_share_what_is_dear_stand_together() -> None:
+    assert group_of("tests/page/browser/test_play.py::test_a") == "windrower"
     for case in ("[windrower]", "[]", ""):
         assert group_of(f"tests/page/practice/test_a.py::test_b{case}") == "tests/page/practice/"
 

@@ -17,7 +17,10 @@ from graphic_tmm.accuracy.cost_figure import figures
 from graphic_tmm.accuracy.sources import Sources
 from graphic_tmm.accuracy.words import WORDS
 
-NAMES = ["slider-diagrams", "crank-rocker", pytest.param("cam", marks=pytest.mark.slow)]
+NAMES = [
+    "slider-diagrams",
+    *(pytest.param(one, marks=pytest.mark.slow) for one in ("crank-rocker", "cam")),
+]
 
 
 def printed(own: Answer) -> list[str]:
@@ -77,6 +80,7 @@ def test_what_sources_bring_together_is_told_only_where_it_is_known() -> None:
     assert dict(parts(much)) == {"swing": pytest.approx(0.8), "together": pytest.approx(0.2)}
 
 
+@pytest.mark.slow
 def test_a_drawing_that_is_exact_is_told_so_in_one_sentence() -> None:
     own = answer(replace(gallery.scene("crank-rocker"), hand="exact", ruler=None), literal=True)
     assert [*sentences(own)] == [WORDS["en"]["answer exact"]]

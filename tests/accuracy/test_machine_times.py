@@ -47,6 +47,7 @@ def times(name: str, seconds: float = DEAR / 2) -> dict[tuple[str, int], Seconds
     return {(one.what, one.positions): one.seconds for one in rows}
 
 
+@pytest.mark.slow
 def test_log_table_sheets_and_drawings_are_timed_at_half_and_twice_the_positions() -> None:
     found = times("slider-diagrams")
     whats = ("log", "table", "sheets", "drawings")
@@ -55,11 +56,13 @@ def test_log_table_sheets_and_drawings_are_timed_at_half_and_twice_the_positions
     assert found["drawings", 8].least == pytest.approx(SCALED / DRAWN * found["log", 8].least)
 
 
+@pytest.mark.slow
 def test_what_is_dear_is_timed_once_away_from_the_scene_s_own_positions() -> None:
     found = times("slider-diagrams", 2 * DEAR)
     assert {key for key, one in found.items() if one.doubtful} == {k for k in found if k[1] != 8}
 
 
+@pytest.mark.slow
 def test_numbers_that_the_scene_cannot_be_drawn_at_are_left_out() -> None:
     """Four positions have not those that the crank-rocker names; the wheels of a planetary gear have no row."""
     assert {n for _, n in times("crank-rocker")} == {8, 16}

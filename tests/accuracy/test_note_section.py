@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import cache
 from pathlib import Path
 
 import pytest
 from click.testing import CliRunner
-from support import gallery
+from support.tasks import answered
 
 from graphic_tmm.__main__ import main
-from graphic_tmm.accuracy.answer import Answer, answer
 from graphic_tmm.accuracy.answer_text import costs, parts
 from graphic_tmm.accuracy.note_section import accuracy_section
 from graphic_tmm.note.document import Heading, Paragraph, ReadyPicture, Runs, Table, Text
 
 SCENE = "slider-diagrams"
-
-
-@cache
-def weighed(language: str) -> Answer:
-    return answer(replace(gallery.scene(SCENE), language=language))
 
 
 def words(runs: Runs) -> str:
@@ -33,7 +26,7 @@ def words(runs: Runs) -> str:
 )
 @pytest.mark.slow
 def test_sentences_sources_front_and_figure_stand_in_it(language: str, head: str) -> None:
-    of = weighed(language)
+    of = answered(SCENE, language)
     first, *blocks = accuracy_section(of)
     assert isinstance(first, Heading)
     assert words(first.runs) == head
@@ -53,7 +46,7 @@ def test_sentences_sources_front_and_figure_stand_in_it(language: str, head: str
 
 def test_a_main_quantity_has_a_column_of_its_own() -> None:
     """Where the worst quantity is not the one that the drawing is made for, both are told."""
-    of = weighed("en")
+    of = answered(SCENE, "en")
     other = next(name for name in of.own.errors if name != of.worst)
     errors = {name: error for name, error in of.own.errors.items() if name != other}
     of = replace(of, own=of.own._replace(errors={**errors, other: of.own.errors[other]}))

@@ -33,6 +33,7 @@ def agree(name: str, hand: str, trials: int, within: float) -> None:
             assert one.parts == pytest.approx(due[quantity], abs=within), (name, quantity)
 
 
+@pytest.mark.slow
 def test_a_share_is_what_goes_when_its_source_is_switched_off() -> None:
     agree("crank-rocker", "student", 6_000, 0.03)
 

@@ -68,6 +68,7 @@ def test_a_better_hand_takes_more_positions() -> None:
     assert best["student"] <= best["careful"] <= best["scene"]
 
 
+@pytest.mark.slow
 def test_what_plans_give_does_not_depend_on_the_number_of_positions() -> None:
     for one in studied(NAME).optima:
         if one.quantity in ("v", "a") and one.hand == "student":

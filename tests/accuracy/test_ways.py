@@ -68,6 +68,7 @@ def test_a_way_is_drawn_as_it_says(k: int) -> None:
         assert str(drawn.row.count) == dict(way.changes)["positions"]
 
 
+@pytest.mark.slow
 def test_what_is_expected_is_what_fresh_drawings_give() -> None:
     """To the scene's own scales, by a hand that slips: a ruler alone rounds by no chance."""
     scales = pinned(make(scene(3), exact=True))

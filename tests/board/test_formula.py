@@ -16,6 +16,7 @@ import pytest
 from mpmath import mp  # type: ignore[import-untyped]
 from support.declared import declared
 from support.each import each
+from support.examples import most
 from support.formula_reader import (
     DIGITS,
     UNIT,
@@ -39,7 +40,8 @@ from graphic_tmm.readers.sentences import calculation
 for module in pkgutil.walk_packages(chapters.__path__, f"{chapters.__name__}."):
     importlib.import_module(module.name)
 
-DRAWS, ENOUGH = 60, 10
+DRAWS = 3 * most(20)
+ENOUGH = DRAWS // 6
 IN_DEGREES_PER = {"on_protractor": "mu", "off_protractor": "mu", "angle_by_length": "ratio"}
 """Which argument is in °/mm, or in °/m."""
 PER_DEGREE = {"length_by_angle": "ratio"}

@@ -112,6 +112,7 @@ def slid(phi: Reals, r: float = 0.1, rod: float = 0.3, along: float = 0.0) -> Re
 
 
 @each("name", WORDS)
+@pytest.mark.slow
 def test_along_a_swinging_line(name: str) -> None:
     """S2 lies from A towards C; the gas pushes A away from C, the spring draws it there."""
     phi = np.radians(45.0 * np.arange(8))
@@ -141,6 +142,7 @@ def test_the_gas_of_forces_gives_the_bore() -> None:
 
 
 @each("positions", ["[1]", '["1"]', '"all"', '["all"]'])
+@pytest.mark.slow
 def test_positions_at_a_stand(positions: str) -> None:
     text = (
         IN_LINE.replace("speed = 1", "speed = 0") + PUSHED + f"[forces]\npositions = {positions}\n"
@@ -182,6 +184,7 @@ def way(along: float) -> Any:
     return lambda turn: slid(turn, 0.05, 0.2, along)
 
 
+@pytest.mark.slow
 def test_a_load_over_two_turns() -> None:
     load = '[[load]]\nlink = 5\npoint = "C"\ndirection = "225 deg"\n'
     found = forces(f'{V}{load}by_angle = [[0, "0 N"], [360, "4000 N"], [720, "0 N"]]\n')
@@ -192,6 +195,7 @@ def test_a_load_over_two_turns() -> None:
     np.testing.assert_allclose(found["M_bal_lever"], due, atol=1e-4)
 
 
+@pytest.mark.slow
 def test_two_cylinders() -> None:
     pressures = f"bore = 0.08\ncover = {[1e5] * 12}\n"
     gas = "".join(f'[[indicator]]\npoint = "{piston}"\n{pressures}' for piston in "BC")
@@ -201,6 +205,7 @@ def test_two_cylinders() -> None:
     np.testing.assert_allclose(found["M_bal_forces"], due, atol=1e-4)
 
 
+@pytest.mark.slow
 def test_a_v_compressor_by_angles() -> None:
     tables = {
         3: (315, 135.0, [[0, 4000], [60, 0], [180, 200], [300, 3800], [360, 4000]]),

@@ -51,6 +51,7 @@ def first(scene: Told, name: str) -> float:
     return float(table[name].value[0, 0])
 
 
+@pytest.mark.slow
 def test_the_cylinders_of_a_shovel() -> None:
     """Hibbeler, Statics, 14th ed., 6-91: EF pulls with 8.175 kN, AD pushes with 158 kN.
 
@@ -97,6 +98,7 @@ def test_a_peg_on_a_hydraulic_cylinder() -> None:
 
 
 @each("degrees", [20.0, 40.0, 65.0])
+@pytest.mark.slow
 def test_a_scissors_jack(degrees: float) -> None:
     """Hibbeler, Statics, virtual work: two crosses of links carry P, the screw along the floor 2P·cot θ."""
     size, turn = 0.5, math.radians(degrees)
@@ -123,6 +125,7 @@ def test_a_scissors_jack(degrees: float) -> None:
 
 
 @each("degrees", [15.0, 30.0, 50.0])
+@pytest.mark.slow
 def test_a_spring_holds_a_linkage(degrees: float) -> None:
     """Beer and Johnston, Statics, virtual work: two links l, a load W at their pin, a spring k that is free
     where they lie in line: (1 − cos θ)·tan θ = W/(4kl). Here upside down."""

@@ -20,6 +20,7 @@ def test_forces(kind: str) -> None:
     judged(kind, 3, forces=True)
 
 
+@pytest.mark.turns(7)
 @pytest.mark.slow
 @pytest.mark.parametrize("block", range(5))
 @pytest.mark.parametrize("kind", WAYS)
@@ -58,6 +59,7 @@ def tabled(scene: dict[str, Any]) -> graphic_tmm.Drawn:
     return graphic_tmm.draw(graphic_tmm.read({**scene, "sheet": sheet}), exact=True)
 
 
+@pytest.mark.turns(9)
 @pytest.mark.parametrize(
     "kind", ["open crank", *(pytest.param(k, marks=pytest.mark.slow) for k in ("slider", "rod"))]
 )
@@ -94,6 +96,7 @@ def _all_accelerated(drives: object) -> object:
     return {**drives, "accelerations": "all"}
 
 
+@pytest.mark.turns(6)
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ["slider", "rod", "open crank"])
 @pytest.mark.parametrize("seed", range(7, 18))
@@ -137,6 +140,7 @@ ROUGH = 0.05
 """How rough every pair is; its pins have a fiftieth of the mechanism's size."""
 
 
+@pytest.mark.turns(14)
 @pytest.mark.parametrize(
     "kind", ["rod", *(pytest.param(k, marks=pytest.mark.slow) for k in WAYS if k != "rod")]
 )

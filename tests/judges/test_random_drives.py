@@ -55,6 +55,7 @@ def test_motion(kind: str) -> None:
     judged(kind, 1, forces=False)
 
 
+@pytest.mark.turns(7)
 @pytest.mark.slow
 @pytest.mark.parametrize("block", range(5))
 @pytest.mark.parametrize("kind", WAYS)

@@ -249,6 +249,7 @@ def test_gas(kind: str) -> None:
     assert compared(kind, range(5)) >= 2
 
 
+@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("block", range(4))
 @pytest.mark.parametrize("kind", ["swings", "stands"])

@@ -36,6 +36,7 @@ def test_what_a_crank_drives(seed: int) -> None:
     judged(seed)
 
 
+@pytest.mark.turns(4)
 @pytest.mark.slow
 @pytest.mark.parametrize("block", range(10))
 def test_what_a_crank_drives_oftener(block: int) -> None:

@@ -97,6 +97,7 @@ def test_loads_by_time(kind: str) -> None:
     assert judged(kind, range(20, 23), ["time"]) >= 1
 
 
+@pytest.mark.turns(len(KINDS))
 @pytest.mark.slow
 @pytest.mark.parametrize("block", range(4))
 @pytest.mark.parametrize("kind", KINDS)

@@ -21,6 +21,7 @@ from graphic_tmm.readers.table import columns_of
 NAME = "crank-rocker"
 
 
+@pytest.mark.slow
 def test_the_same_scene_gives_the_same_bytes() -> None:
     first, second = (crank(*gallery.paper(NAME)) for _ in range(2))
     assert first is not None

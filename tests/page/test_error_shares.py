@@ -5,22 +5,23 @@ from __future__ import annotations
 import re
 from functools import cache
 
+import pytest
 from support import pages
+from support.tasks import answered
 
-from graphic_tmm.accuracy.answer import Answer, answer
+from graphic_tmm.accuracy.answer import Answer
 from graphic_tmm.accuracy.answer_text import parts
 from graphic_tmm.accuracy.words import WORDS
 from graphic_tmm.page import page as of_page
 from graphic_tmm.page.error_shares import error_shares, marked_up
 from graphic_tmm.page.page import page, page_data
 
+pytestmark = pytest.mark.slow
 SCENE = "slider-diagrams"
 
 
-@cache
 def weighed() -> Answer:
-    made, _ = pages.on_sheets(SCENE, "en")
-    return answer(made.scene)
+    return answered(SCENE, "en")
 
 
 @cache

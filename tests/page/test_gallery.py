@@ -71,6 +71,7 @@ def test_no_scene_takes_the_place_of_the_gallery(name: str) -> None:
         galleries([Card(name, "", "en", f"{name}.html", "a.svg")], "Folder")
 
 
+@pytest.mark.slow
 def test_all_scenes_of_a_folder_are_written_with_a_gallery(tmp_path: Path) -> None:
     folder = tmp_path / "mine"
     for name, title in (("a b", "First"), ("второй", "Second")):
@@ -92,6 +93,7 @@ def test_all_scenes_of_a_folder_are_written_with_a_gallery(tmp_path: Path) -> No
         assert ("mine" in one.text, "Second" in one.text) == (True, True)
 
 
+@pytest.mark.slow
 def test_a_folder_without_scenes_and_a_scene_with_a_fault_write_nothing(tmp_path: Path) -> None:
     bare, home = tmp_path / "bare", tmp_path / "out"
     bare.mkdir()

@@ -94,6 +94,7 @@ def short(tmp_path: Path, length: str) -> Path:
     return written(tmp_path, text.replace(told, f'B = ["{length}", 0]'))
 
 
+@pytest.mark.slow
 def test_a_coupler_far_too_short_has_a_page(tmp_path: Path) -> None:
     """It assembles at 17 angles; at one of them, 0.3° off its limit, the accelerations reach 10 km."""
     made, found = sheets(read(short(tmp_path, "1 mm")))

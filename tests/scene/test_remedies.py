@@ -152,6 +152,12 @@ def test_every_value_that_a_key_asks_for_is_taken() -> None:
     assert len(applied) > 400
 
 
+@pytest.fixture(scope="module")
+def provoked() -> list[tuple[str, str, str, str]]:
+    """What was there, what was put there, a remedy, the message that it is printed in."""
+    return list(_provoked())
+
+
 def _provoked() -> Iterator[tuple[str, str, str, str]]:
     for old, wrong in [*((a, b) for a, b, _ in CASES), *MORE]:
         for message in _faults(SCENE.replace(old, wrong, 1)):
@@ -160,17 +166,14 @@ def _provoked() -> Iterator[tuple[str, str, str, str]]:
                     yield old, wrong, remedy, message
 
 
-PROVOKED = list(_provoked())
+def test_many_remedies_are_provoked(provoked: list[tuple[str, str, str, str]]) -> None:
+    assert len({(remedy, wrong) for _, wrong, remedy, _ in provoked}) > 150
 
 
-def test_many_remedies_are_provoked() -> None:
-    assert len({(remedy, wrong) for _, wrong, remedy, _ in PROVOKED}) > 150
-
-
-def test_every_remedy_that_is_printed_helps() -> None:
+def test_every_remedy_that_is_printed_helps(provoked: list[tuple[str, str, str, str]]) -> None:
     bad = [
         (wrong, remedy, message)
-        for old, wrong, remedy, message in PROVOKED
+        for old, wrong, remedy, message in provoked
         if _helps(old, wrong, remedy, message) is None
     ]
     assert not bad, "\n".join(map(str, bad))

@@ -11,9 +11,19 @@ from support import gallery, parts
 _LONGEST = sorted({*gallery.ALL, *parts.PARTS}, key=len, reverse=True)
 _NAMED = re.compile(rf"(?:^|-)({'|'.join(map(re.escape, _LONGEST))})(?=-|$)")
 
-
+SHARED = {
+    "windrower": "page/browser/test_everybody page/browser/test_lecture page/browser/test_page_sheets "
+    "page/browser/test_play",
+    "crank-rocker": "page/browser/test_beside_practice page/browser/test_changed_lengths "
+    "page/browser/test_own_drawing page/browser/test_page_crank page/browser/test_practice",
+    "slider-diagrams": "accuracy/test_answer_text accuracy/test_cost_figure accuracy/test_note_section "
+    "page/browser/test_accuracy_room page/test_error_shares",
+}
+"""Scenes, and files whose tests have them without naming them: a page or an answer of what accuracy costs takes
+seconds."""
 TOGETHER = (
     ("tests/page/practice/",),
+    *((scene, *(f"tests/{name}.py" for name in names.split())) for scene, names in SHARED.items()),
     ("tests/judges/test_random_drive",),
     ("tests/note/",),
     (
@@ -25,7 +35,8 @@ TOGETHER = (
     ),
 )
 """Beginnings of names of files whose tests share what takes longer than they do: the tasks of all scenes worked
-once, random mechanisms walked once, notes made once, the package's own text read once."""
+once, pages written once, random mechanisms walked once, notes made once, the package's own text read once. The
+first names the group: a scene, where they share that with its other tests."""
 
 
 def group_of(test: str) -> str:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import cache
 from typing import NamedTuple
 
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.page import page as of_page
+from graphic_tmm.page.crank import Turned, crank
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.figure import Picture, pictures
@@ -33,6 +35,23 @@ class View(NamedTuple):
     @property
     def title(self) -> str:
         return " ".join(plain(self.drawing.title).split())
+
+
+TURNED: dict[tuple[int, int, bool], tuple[object, Turned | None]] = {}
+
+
+def turned_once(made: DrawnScene, sheets: Sequence[Sheet], *, live: bool = False) -> Turned | None:
+    """Return a mechanism as its crank turns; of one drawing on the same sheets what was returned before.
+
+    Pages with and without practice, weighed or not, have it alike; it is most of what they cost.
+    """
+    key = id(made), id(sheets), live
+    if key not in TURNED:
+        TURNED[key] = (made, sheets), crank(made, sheets, live=live)
+    return TURNED[key][1]
+
+
+of_page.crank = turned_once  # type: ignore[attr-defined]
 
 
 def language(name: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -54,8 +55,12 @@ def studied(name: str) -> Study:
 
 
 @cache
-def answered(name: str) -> Answer:
-    return answer(gallery.scene(name))
+def answered(name: str, language: str = "") -> Answer:
+    """The answer for a scene of the package, in its own language or another: what is weighed has none."""
+    if not language:
+        return answer(gallery.scene(name))
+    own = answered(name)
+    return replace(own, scene=replace(own.scene, language=language))
 
 
 def effects_of(own: Scene) -> EffectStudy:

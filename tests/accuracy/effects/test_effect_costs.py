@@ -69,6 +69,7 @@ def test_what_a_flywheel_takes_from_the_lever_is_drawn_at_all_positions() -> Non
     assert effects_known("windrower").whole.minutes == pytest.approx(total)
 
 
+@pytest.mark.slow
 def test_a_log_that_stays_the_same_takes_no_longer() -> None:
     found = study_effects(gallery("crank-press"), trials=10)
     assert found.whole.seconds is not None

@@ -203,6 +203,7 @@ def test_weights_inertia_and_masses_of_a_six_bar_change_what_newton_and_euler_sa
         agree(effect(found, f"masses of link {number}"), change(whole, judged(bare=number)), names)
 
 
+@pytest.mark.slow
 def test_the_gas_on_a_piston_changes_what_newton_and_euler_say() -> None:
     own = gallery("engine")
     gas = own.tasks["flywheel"].indicator
@@ -249,6 +250,7 @@ def test_the_acceleration_of_the_crank_is_an_effect() -> None:
     assert found.changes[0].quantity == "a"
 
 
+@pytest.mark.slow
 def test_a_hand_that_slips_is_its_own_measure() -> None:
     found = study_effects(gallery("crank-press"), hand="student", trials=20, clock=False)
     assert not found.pencil

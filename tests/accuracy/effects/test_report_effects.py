@@ -18,6 +18,7 @@ from graphic_tmm.commands.shared.telling import rendered
 from graphic_tmm.project import record
 
 
+@pytest.mark.slow
 def test_what_changes_less_than_the_drawing_errs_is_named_as_not_worth_drawing() -> None:
     own = gallery("crank-press")
     order = own.tasks["forces"]
@@ -38,6 +39,7 @@ def test_what_changes_less_than_the_drawing_errs_is_named_as_not_worth_drawing()
     assert "gravity" not in told
 
 
+@pytest.mark.slow
 def test_effects_that_are_hidden_each_are_left_out_together_before_it_is_said() -> None:
     """Beside a student's error each of four is nothing; together they are held against it once more."""
     found = study_effects(gallery("crank-press"), clock=False)
@@ -88,6 +90,7 @@ def test_effects_stand_in_the_order_in_which_they_matter() -> None:
     assert [one.name for one in found[len(called) :]] == ["gas", "friction"]
 
 
+@pytest.mark.slow
 def test_what_is_always_drawn_costs_nothing() -> None:
     """An engine's P_in is drawn whatever it is: inertia changes M, and adds no step."""
     found = effects_known("locomobile")
@@ -129,6 +132,7 @@ def test_the_report_fits_a_terminal(name: str, language: str) -> None:
     assert len(lines) > 1
 
 
+@pytest.mark.slow
 def test_the_command_tells_the_answer_first_and_writes_it(tmp_path: Path) -> None:
     found = invoke("accuracy", "crank-press", "--effects", "--trials", "10", "-o", tmp_path)
     assert found.exit_code == 0, found.output
@@ -137,6 +141,7 @@ def test_the_command_tells_the_answer_first_and_writes_it(tmp_path: Path) -> Non
     assert (tmp_path / "crank-press-effects.txt").read_text("utf-8") == found.stdout
 
 
+@pytest.mark.slow
 def test_as_json_it_has_the_same(tmp_path: Path) -> None:
     asked = ("accuracy", "crank-press", "--effects", "--no-time", "-f", "json")
     found = invoke(*asked)

@@ -115,6 +115,7 @@ CASES = [
 ]
 
 
+@pytest.mark.turns(14)
 @pytest.mark.parametrize(("kind", "flank"), CASES)
 def test_on_both_sides_of_every_change_it_is_the_second_derivative(kind: str, flank: str) -> None:
     order = random_order(random.Random(f"second {kind} {flank}"), kind, flank)

@@ -21,13 +21,6 @@ CASES = [
     for flank in FLANKS
     if not (kind == "flat" and flank in ("straight", "hollow"))
 ]
-RATES = [
-    pytest.param(*one, marks=pytest.mark.slow)
-    if one[0] in ("against", "along") and one[1] != "convex"
-    else one
-    for one in CASES
-]
-"""The same for rates, of which those of rockers are found by long search: one flank of each every day."""
 FINE = 4000
 """Points of each circle: they lie up to 1/8·(2π/4000)² = 3·10⁻⁷ of a radius inside their chords."""
 
@@ -57,8 +50,9 @@ def _mu(made, reading) -> float:  # type: ignore[no-untyped-def]
     return float(reading[made.contour.mu][0, 0])
 
 
+@pytest.mark.turns(7)
 @pytest.mark.slow
-@pytest.mark.parametrize(("kind", "flank"), RATES)
+@pytest.mark.parametrize(("kind", "flank"), CASES)
 def test_the_instant_centre_tells_the_derivative(kind: str, flank: str) -> None:
     """Against the difference of two places a little apart; not where the follower goes from arc to arc."""
     order = random_order(random.Random(f"{kind} {flank} rate"), kind, flank)

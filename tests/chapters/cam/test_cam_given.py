@@ -43,6 +43,7 @@ def test_a_rocker_swings_and_a_flat_face_has_a_least_radius(tmp_path: Path) -> N
     assert "[α]" not in found
 
 
+@pytest.mark.slow
 def test_the_diagrams_of_a_rocker_are_those_of_its_angle(tmp_path: Path) -> None:
     """Axes, titles, scale factors and the table say ψ, of a roller on a rod S."""
     rocker = 'stroke = "20 deg"\nfollower = "rocker"\nlever = "0.1 m"\ncentres = "0.13 m"\n'

@@ -87,6 +87,7 @@ def bound(name: str, count: int, order: int) -> float:
 @each("method", METHODS)
 @each("start", STARTS)
 @each("name", POINTS)
+@pytest.mark.slow
 def test_velocities_agree_with_the_plans(name: str, start: str, method: str) -> None:
     made = drawn(name, start=start, method=method)
     off = np.abs(values(made, "V") - planned(made)).max()

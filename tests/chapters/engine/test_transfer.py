@@ -168,12 +168,14 @@ def pictures(work: Drawn) -> list[Drawing]:
 
 
 @each("name", ENGINES)
+@pytest.mark.slow
 def test_it_is_read_off_the_log(name: str) -> None:
     work = drawn(name, exact=True)
     assert_read_off_the_log(work.construction, map(finished, pictures(work)), {"measure"})
 
 
 @each("crank", ["0.05", "0.19"])
+@pytest.mark.slow
 def test_upright_engines_with_other_letters(crank: str, tmp_path: Path) -> None:
     path = tmp_path / "upright.toml"
     path.write_text(SCENE.replace('"100 mm"', crank), encoding="utf-8")

@@ -166,6 +166,7 @@ def test_it_is_told_on_sheet_table_note_and_to_machines(tmp_path: Path, language
     assert due[:4] in next(row for row in rows if row[0].startswith("J_"))[1]
 
 
+@pytest.mark.slow
 def test_pressures_in_positions_have_nothing_between_them(tmp_path: Path) -> None:
     made = drawn(tmp_path, ENGINE)
     assert finer(made.boards[0]) is None

@@ -42,6 +42,7 @@ def test_the_energy_mass_curve_of_the_scenes(name: str) -> None:
 
 
 @each("name", WHEELS)
+@pytest.mark.slow
 def test_the_constant_moment_is_one_line_over_the_cycle_named_at_its_end(name: str) -> None:
     work = drawn(name, exact=True)
     log, view = work.construction, VIEWS["moment"]

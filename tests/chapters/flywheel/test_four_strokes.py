@@ -320,6 +320,7 @@ def test_a_cycle_of_loads_alone_takes_one_turn(tmp_path: Path) -> None:
         read(path)
 
 
+@pytest.mark.slow
 def test_a_cycle_of_loads_by_time_takes_the_turns_of_their_times(tmp_path: Path) -> None:
     """At 380 rpm two turns take 6/19 s; a wheel for them is that of the same loads by the angle."""
     turn = 3.0 / 19.0

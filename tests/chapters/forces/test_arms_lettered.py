@@ -40,6 +40,7 @@ def check(work: Drawn) -> int:
 
 
 @each("name", LOADED)
+@pytest.mark.slow
 def test_of_the_package(name: str) -> None:
     assert check(drawn(name))
 
@@ -52,6 +53,7 @@ def test_in_all_positions() -> None:
     assert check(work)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("seed", range(3))
 @pytest.mark.slow
 def test_of_random_mechanisms(seed: int) -> None:

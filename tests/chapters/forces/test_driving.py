@@ -54,6 +54,7 @@ def test_what_stands_is_held_as_in_slow_motion(text: str, slow: str, stands: str
         np.testing.assert_allclose(own[name].value, due[name].value, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_a_damper_bears_nothing_where_its_ends_stand() -> None:
     stands = "speed = 0\npositions = 4\n" + TORQUE
     damper = '[[spring]]\nbetween = ["A", "C"]\ndamping = "80 N*s/m"\n'
@@ -122,6 +123,7 @@ ROUGH = "[effects]\ngravity = true\nfriction = true\n[friction]\n"
     ],
     ids=["rod", "slider"],
 )  # fmt: skip
+@pytest.mark.slow
 def test_friction_takes_more_of_what_drives(
     text: str, drive: str, loaded: str, friction: str
 ) -> None:

@@ -85,6 +85,7 @@ def test_graphs_of_one_turn_take_no_time_of_two(tmp_path: Path) -> None:
 
 
 @each("name", STROKES)
+@pytest.mark.slow
 def test_an_open_row_has_the_size_of_each_time(name: str, tmp_path: Path) -> None:
     """On the sheet, at any place by `motion`, in every frame of the page."""
     of = STROKES[name]

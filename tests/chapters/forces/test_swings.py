@@ -119,6 +119,7 @@ def balance(of: FourBar, moment: Reals, force: Reals, phi: Reals) -> Reals:
     return force * speed - moment * turning
 
 
+@pytest.mark.turns(4)
 @pytest.mark.parametrize("seed", range(12))
 def test_sizes_and_balance_in_a_row_and_at_any_angle(seed: int, tmp_path: Path) -> None:
     of, angle = four_bar(seed), float(random.Random(seed).uniform(-180.0, 180.0))
@@ -210,6 +211,7 @@ def test_a_stroke_ends_where_the_crank_comes_to(tmp_path: Path) -> None:
 
 
 @each("second", ['of = "B"\nalong = 20', 'of = "B"\nalong = 80\nstart = "top"', "of = 3"])
+@pytest.mark.slow
 def test_loads_go_by_one_point_in_several_ways(second: str, tmp_path: Path) -> None:
     """The end of each stroke has a letter of its own."""
     of = four_bar(3)

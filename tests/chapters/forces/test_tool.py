@@ -127,6 +127,7 @@ def test_random_chains_of_groups(drive: str) -> None:
     assert sum(compared) > 80
 
 
+@pytest.mark.slow
 def test_power_and_advantage_and_a_dead_place() -> None:
     sheet = graphic_tmm.draw(graphic_tmm.read(CLAMP), exact=True)
     table, speeds = sheet.table("forces"), sheet.table("velocities")
@@ -159,6 +160,7 @@ def test_readings_leave_little_at_the_drive() -> None:
     np.testing.assert_allclose(np.abs(whole), 10.0, rtol=0.01)
 
 
+@pytest.mark.slow
 def test_the_page_works_its_steps(tmp_path: Path) -> None:
     page_is_right(tomllib.loads(CLAMP.replace('"all"', "[1, 2]")), tmp_path)
 

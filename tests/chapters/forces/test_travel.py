@@ -63,6 +63,7 @@ def due(star: Star, k: int, phi: np.ndarray, omega: float, *, outer: bool = True
 
 @each("name", STARS)
 @each("omega", [OMEGA, -OMEGA])
+@pytest.mark.slow
 def test_every_slider_is_loaded_from_its_own_dead_centre(
     name: str, omega: float, tmp_path: Path
 ) -> None:
@@ -84,6 +85,7 @@ def test_every_slider_is_loaded_from_its_own_dead_centre(
 @each("name", ["v", "master rod"])
 @each("omega", [OMEGA, -OMEGA])
 @each("fast", [False, True])
+@pytest.mark.slow
 def test_any_angle_has_the_size_that_the_travel_tells_there(
     name: str, omega: float, fast: bool, tmp_path: Path
 ) -> None:

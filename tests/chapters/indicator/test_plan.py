@@ -133,6 +133,7 @@ def moments(made: Drawn) -> tuple[np.ndarray, list[np.ndarray]]:
 
 @each("name", STARS)
 @each("omega", [OMEGA, -OMEGA])
+@pytest.mark.slow
 def test_every_piston_has_the_pressures_of_its_own_travel(
     name: str, omega: float, tmp_path: Path
 ) -> None:
@@ -162,6 +163,7 @@ def behind(share: np.ndarray, out: np.ndarray, turn: np.ndarray) -> np.ndarray:
 
 @each("name", ["v", "offset", "in-line twin, 180", "master rod"])
 @each("omega", [OMEGA, -OMEGA])
+@pytest.mark.slow
 def test_the_gas_behind_each_piston_pushes_it_off_the_crank(
     name: str, omega: float, tmp_path: Path
 ) -> None:
@@ -214,6 +216,7 @@ def test_the_highest_pressure_of_a_task_is_that_of_all_sides(
     "phases, omega",
     [((0, 0, 0, 0), OMEGA), ((0, 360, 0, 360), -OMEGA), ((360, 0, 360, 0), OMEGA)],
 )
+@pytest.mark.slow
 def test_four_strokes_fire_by_their_phases(
     name: str, phases: tuple[int, ...], omega: float, tmp_path: Path
 ) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
+import pytest
 from chapters.indicator.test_plan import (
     COUNT,
     FOUR,
@@ -65,6 +66,7 @@ def cylinders_of(made: Drawn) -> tuple[Cylinder, ...]:
 
 @each("name", SHARING)
 @each("steps, more, phases", [(STEPS, SHAFT, ()), (FOUR, "", (0, 360, 0, 360))])
+@pytest.mark.slow
 def test_pressures_and_forces_are_those_of_diagrams_apart(
     name: str, steps: str, more: str, phases: tuple[int, ...], tmp_path: Path
 ) -> None:
@@ -87,6 +89,7 @@ def test_pressures_and_forces_are_those_of_diagrams_apart(
 
 
 @each("name", SHARING)
+@pytest.mark.slow
 def test_what_is_common_is_drawn_once(name: str, tmp_path: Path) -> None:
     star = STARS[name]
     made = drawing(tmp_path, scene(star, cylinders(star, STEPS)))
@@ -114,6 +117,7 @@ def test_what_is_common_is_drawn_once(name: str, tmp_path: Path) -> None:
         (STARS["v"], 'mu_p = "9 kPa/mm"\n', ["indicator B", "indicator C"]),
     ],
 )
+@pytest.mark.slow
 def test_what_cannot_be_shared_is_drawn_apart(
     star: Star, gas: str, wanted: list[str], tmp_path: Path
 ) -> None:
@@ -159,6 +163,7 @@ def test_the_sheet_shows_one_curve_and_a_row_of_positions_for_each_piston() -> N
 
 
 @each("seed", range(30))
+@pytest.mark.slow
 def test_rows_of_numbers_leave_none_out_and_never_meet(seed: int) -> None:
     rng = np.random.default_rng(seed)
     wide, count, size = rng.uniform(60, 240), int(rng.integers(6, 49)), 3.5
@@ -184,6 +189,7 @@ def test_rows_of_numbers_leave_none_out_and_never_meet(seed: int) -> None:
             assert clear, (one, other)
 
 
+@pytest.mark.slow
 def test_each_piston_has_a_cursor_on_the_common_curve() -> None:
     made, sheets = gallery.paper("v-engine")
     assert made.mechanism is not None

@@ -52,6 +52,7 @@ def test_words_of_another_drive_are_seen(name: str, where: str, text: str) -> No
 
 
 @each("name", SCENES)
+@pytest.mark.slow
 def test_a_drive_is_drawn_with_its_own_arrows_and_circles(name: str, tmp_path: Path) -> None:
     """A circle and a round arrow for each link that turns about a pivot, a straight one for what slides."""
     scene, file = SCENES[name], tmp_path / "scene.toml"

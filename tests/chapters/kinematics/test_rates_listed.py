@@ -17,6 +17,7 @@ def listed(speeds: object, gains: object) -> str:
     return f"speed = {speeds}\nacceleration = {gains}\n{TAIL}"
 
 
+@pytest.mark.slow
 def test_every_position_is_as_with_its_own_speed_alone() -> None:
     drawn = graphic_tmm.draw(scene(ROCKER, listed([*SPEEDS], [*GAINS])), exact=True)
     for plan in ("velocities", "accelerations"):

@@ -215,6 +215,7 @@ def test_positions_outside_the_row_are_lengths_of_what_slides(
         (drives.RACK, (10.0, 120.0), 50.0, "mm", (3, "B"), "1*"),
     ],
 )
+@pytest.mark.slow
 def test_a_position_outside_the_row_has_the_figures_of_one_in_a_list_of_places(
     text: str,
     ends: tuple[float, float],

@@ -56,6 +56,7 @@ def _held(name: str, key: str) -> bool:
 
 @each("name", SCENES)
 @each("key", KEYS)
+@pytest.mark.slow
 def test_a_segment_fixes_a_scale_factor_where_the_drive_has_it(name: str, key: str) -> None:
     written, plan = KEYS[key]
     scene = tmm.read(f"{SCENES[name]}[scales]\n{written}\n")

@@ -136,6 +136,7 @@ def test_an_honest_drawing_in_the_task_s_scale_factors_is_left_as_it_is() -> Non
     assert (agreed.times, agreed.places, agreed.scales, agreed.moves) == ({}, {}, (), {})
 
 
+@pytest.mark.turns(2)
 @pytest.mark.slow
 @pytest.mark.parametrize("way", ["mm", "mm and rates", "mm and values", "points"])
 def test_scale_factors_of_a_student_are_those_that_he_took(way: str) -> None:
@@ -182,6 +183,7 @@ def test_whatever_is_drawn_may_be_drawn_larger(name: str, times: float) -> None:
 
 
 @pytest.mark.parametrize("name", ["pa the other way", "πa outwards, points"])
+@pytest.mark.slow
 def test_a_plan_against_the_others_is_a_mistake_in_points_that_are_turned(name: str) -> None:
     """All plans stand by 180° but the one whose first vector was reversed, which stands as due."""
     drawing = with_mistake(kind_of(name), 1, 83000)

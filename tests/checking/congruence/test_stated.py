@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 from support.gallery import CASES, SHEETS
-from support.own_student.machines import MACHINES
+from support.own_told import checker
 
 from graphic_tmm.checking.check import Checker
 from graphic_tmm.checking.congruence.moves import Move
@@ -14,8 +16,10 @@ from graphic_tmm.checking.records import Taken
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.read import read
 
-SC, FRC = (Checker(read(MACHINES[name].scene)) for name in ("sc", "frc"))
-SYMBOLS = FRC._congruence.remaking.symbols
+
+@pytest.fixture
+def symbols() -> Any:
+    return checker("frc")._congruence.remaking.symbols
 
 
 @pytest.mark.parametrize(
@@ -30,11 +34,11 @@ SYMBOLS = FRC._congruence.remaking.symbols
     ],
 )
 def test_a_row_states_a_scale_factor(
-    plan: str, segment: str, value: float, unit: str, mu: float
+    plan: str, segment: str, value: float, unit: str, mu: float, symbols: Any
 ) -> None:
     row = Taken(plan, "", segment, value=value, unit=unit)
     assert is_scale_row(row)
-    (stated,), faults = stated_in([row], SYMBOLS)
+    (stated,), faults = stated_in([row], symbols)
     assert not faults
     assert stated.mu == pytest.approx(mu)
 
@@ -49,25 +53,26 @@ def test_a_row_states_a_scale_factor(
     ],
 )
 def test_what_is_not_understood_is_refused(
-    plan: str, segment: str, value: float, unit: str, says: str
+    plan: str, segment: str, value: float, unit: str, says: str, symbols: Any
 ) -> None:
-    stated, faults = stated_in([Taken(plan, "", segment, value=value, unit=unit)], SYMBOLS)
+    stated, faults = stated_in([Taken(plan, "", segment, value=value, unit=unit)], symbols)
     assert not stated
     assert says in str(faults[0].message)
 
 
-def test_options_state_scale_factors_and_turns() -> None:
-    (one,) = stated_by(["velocities=0,02"], SYMBOLS, "x")
+def test_options_state_scale_factors_and_turns(symbols: Any) -> None:
+    (one,) = stated_by(["velocities=0,02"], symbols, "x")
     assert (one.group.plan, one.mu) == ("velocities", 0.02)
     assert turns_by(["velocities=90"], ("velocities",), "x") == {"velocities": Move(1)}
     for wrong in ("velocities", "velocities=0", "velocities=-1", "gears=1", "diagrams=2"):
         with pytest.raises(SceneError):
-            stated_by([wrong], SYMBOLS, "x")
+            stated_by([wrong], symbols, "x")
     for wrong in ("velocities=45", "velocities", "gears=90"):
         with pytest.raises(SceneError):
             turns_by([wrong], ("velocities",), "x")
 
 
+@pytest.mark.slow
 def test_a_prescribed_scale_factor_forbids_another() -> None:
     """The lengths are then wrong, and it is said by what the figures were calculated."""
     scene = read(CASES / "check" / "sc.toml")
@@ -81,17 +86,17 @@ def test_a_row_left_as_the_template_has_it_is_no_statement() -> None:
     """His rates and lengths say another one; a row that was changed is believed."""
     readings = [*read_readings(CASES / "check" / "another_mu_v.csv")]
     left = Taken("velocities", "", "μ_v", value=0.025, unit="(m/s)/mm", line=99)
-    assert SC.of([*readings, left]).report.wrong == 0
-    changed = SC.of([*readings, left._replace(value=0.02)]).report
+    assert checker("sc").of([*readings, left]).report.wrong == 0
+    changed = checker("sc").of([*readings, left._replace(value=0.02)]).report
     assert changed.wrong == 0
     assert [(one.by, one.mu) for one in changed.scales] == [("stated", 0.02)]
 
 
-def test_one_letter_is_of_all_polygons_of_forces() -> None:
+def test_one_letter_is_of_all_polygons_of_forces(symbols: Any) -> None:
     """Who states μ_F states it for the polygon of link 1, too."""
-    own = FRC._congruence
+    own = checker("frc")._congruence
     (mu,) = (one for one in own.stated_rows() if one.plan == "forces")
-    stated, _ = stated_in([mu._replace(value=2.0)], SYMBOLS)
+    stated, _ = stated_in([mu._replace(value=2.0)], symbols)
     agreed = own.of([], stated)
     assert [(one.of, times) for one, times in agreed.times.items()] == [(("forces", "N"), 2.0)] * 2
 

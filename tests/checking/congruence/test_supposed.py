@@ -45,6 +45,7 @@ def test_what_rates_say_is_supposed_where_lengths_say_another() -> None:
     assert one[VELOCITIES].times == pytest.approx(1.667)
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", ["t along the link", "arc of AB with a wrong opening"])
 @pytest.mark.slow
 def test_a_mistake_is_named_in_a_scale_factor_that_nothing_states(name: str) -> None:

@@ -46,6 +46,7 @@ def test_a_ray_turned_by_four_degrees_is_blamed() -> None:
     assert sum(one.ray for one in found) >= share * drawings
 
 
+@pytest.mark.slow
 def test_a_ray_that_slipped_is_blamed() -> None:
     """Point b stands on the line pb, off the line ab: that line was drawn wrong."""
     spots = points(exact("engine"))
@@ -82,6 +83,7 @@ def test_what_follows_from_a_slip_is_not_punished() -> None:
     assert told == {"ab": WRONG, "pb": FINE, "an2": FINE}
 
 
+@pytest.mark.slow
 def test_by_a_hand_that_hardly_slips_a_deviation_of_a_thousandth_is_wrong() -> None:
     """0.05 of 60 mm, drawn by a machine and read to 0.001, is an error; 0.004 is none."""
     due = cells(exact("engine"))["velocities", "pb", "2"].mm

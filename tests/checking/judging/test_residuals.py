@@ -65,6 +65,7 @@ def measured(taken: tuple[Taken, ...]) -> list[int]:
     return [k for k, one in enumerate(taken) if one.mm is not None and one.segment not in starts]
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", HANDS)
 def test_honest_drawings_have_no_wrong_reading(
@@ -87,6 +88,7 @@ def test_honest_drawings_have_no_wrong_reading(
     assert found["whole"] <= 0.03 * found["drawings"]
 
 
+@pytest.mark.turns(1)
 @pytest.mark.slow
 @pytest.mark.parametrize("by", LEAST)
 def test_a_reading_that_is_off_is_wrong_and_no_other(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 
 from graphic_tmm.checking.judging.scatter import Scatter
 from graphic_tmm.checking.judging.step_scatter import FEW, StepScatter, share_of_slip
@@ -20,6 +21,7 @@ def read_finely(share: float, count: int, drawings: int) -> list[float]:
     return [share_of_slip([(STEP, (float(e),)) for e in row]) for row in errors]
 
 
+@pytest.mark.slow
 def test_of_drawings_read_as_coarsely_as_is_counted_upon_one_in_forty_seems_finer() -> None:
     """Whether 20 points were read or 200: of few the quantile is off by half of itself."""
     for count in (FEW, 60, 200):

@@ -81,6 +81,7 @@ def test_a_row_keeps_the_digits_that_were_written(tmp_path: Path) -> None:
     assert second.last == Last(x=0.05, y=0.05)
 
 
+@pytest.mark.slow
 def test_a_length_laid_off_is_judged_alike_in_tenths_and_in_halves() -> None:
     """pa is 96.0 mm, calculated and laid off; a ruler of 0.5 mm has no 96.6."""
     rows = [

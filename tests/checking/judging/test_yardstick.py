@@ -112,6 +112,7 @@ def test_the_hand_draws_once_for_all_drawings(monkeypatch: pytest.MonkeyPatch) -
     assert len(calls) == 1
 
 
+@pytest.mark.slow
 def test_a_plan_that_no_position_asks_for_has_no_yardstick(tmp_path: Path) -> None:
     """Forces of inertia use accelerations that stand on no sheet: lengths of other plans are judged."""
     path = calling(tmp_path, "effects", "load", "forces")

@@ -100,6 +100,7 @@ def test_the_lesson_is_on_the_step_in_the_plan_where_it_was_made() -> None:
     assert [one.view for one in told] == ["forces 2-3"]
 
 
+@pytest.mark.slow
 def test_a_mistake_in_a_force_polygon_is_drawn_beside_what_is_due() -> None:
     """The load laid off the other way: its side is due, the same side turned round is what was drawn."""
     said = report_of(with_mistake(kind_of("load along the velocity"), 0, 70000, ways=("mm",)))

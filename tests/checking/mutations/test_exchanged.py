@@ -11,6 +11,7 @@ from support.own_told import report_of
 ALONG = next(kind for kind in KINDS if kind.name == "t along the link")
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("seed", [93000, 93001])
 @pytest.mark.slow
 def test_directions_of_two_lines_that_meet_are_exchanged(seed: int) -> None:

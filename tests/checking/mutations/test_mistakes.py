@@ -14,6 +14,7 @@ from graphic_tmm.checking.mutations.execution import figures_of
 from graphic_tmm.checking.mutations.mutation import SENSE
 
 
+@pytest.mark.slow
 def test_figures_of_parts_are_those_of_each_mistake(monkeypatch: pytest.MonkeyPatch) -> None:
     made = exact("crank-rocker")
     offered = mistakes.Offered(made, made.boards[0])
@@ -33,6 +34,7 @@ def test_figures_of_parts_are_those_of_each_mistake(monkeypatch: pytest.MonkeyPa
     assert moved > rows.size
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", ["crank-rocker", "engine"])
 @pytest.mark.slow
 def test_what_no_part_reaches_none_of_it_moves(monkeypatch: pytest.MonkeyPatch, name: str) -> None:

@@ -18,6 +18,7 @@ NEAR = 8.0
 """What is less likely than the likeliest by more (natural logarithm) changes no name."""
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("name", ["omega halved", "omega not squared in πa", "inertia along a"])
 @pytest.mark.slow
 def test_no_likely_mutation_is_left_out(monkeypatch: pytest.MonkeyPatch, name: str) -> None:

@@ -18,6 +18,7 @@ def test_a_number_that_no_list_has_is_told() -> None:
 
 
 @pytest.mark.parametrize("name", ["c not found by BC", "n doubled"])
+@pytest.mark.slow
 def test_usual_numbers_are_told_once(name: str) -> None:
     drawing = with_mistake(kind_of(name), 0, 61000)
     report = report_of(drawing)

@@ -28,6 +28,7 @@ def test_all_polygons_of_forces_have_one() -> None:
     assert max(found) == min(found)
 
 
+@pytest.mark.slow
 def test_no_scale_factor_is_told_of_what_is_as_long_as_due() -> None:
     drawing = with_mistake(kind_of("load left out of the lever"), 0, 61000, own=False)
     report = report_of(drawing)

@@ -25,6 +25,7 @@ def test_it_is_known_who_says_a_scale_factor() -> None:
     assert [what for what in by if known.free(what)] == ["lengths", "round", "rates"]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     "name",
     [

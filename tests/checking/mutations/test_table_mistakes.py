@@ -72,6 +72,7 @@ def test_it_is_told_where_it_was_written(
     assert found.chance >= 0.4
 
 
+@pytest.mark.turns(1)
 @pytest.mark.parametrize("times", [0.87, 1.0, 1.25])
 @pytest.mark.slow
 def test_a_reversed_diagram_is_told_in_whatever_scale(times: float) -> None:

@@ -18,6 +18,7 @@ from graphic_tmm.checking.records import UNKNOWN
 from graphic_tmm.scene.read import read
 
 
+@pytest.mark.slow
 def test_a_slip_beside_a_mistake_is_not_explained_by_it_nor_the_only_thing_off() -> None:
     """n from the wrong end, and pb written without its decimal point in position 3 (line 25)."""
     rows = [
@@ -36,6 +37,7 @@ def test_a_slip_beside_a_mistake_is_not_explained_by_it_nor_the_only_thing_off()
     assert slip.says == "by itself pb at position 3 is off: its decimal point has perhaps slipped"
 
 
+@pytest.mark.slow
 def test_a_factor_is_told_as_the_readings_have_it() -> None:
     """All rates of a plan 130 times too large are not 100 times so."""
     rows = [
@@ -104,6 +106,7 @@ def test_a_result_that_no_other_reading_confirms_is_no_sure_slip() -> None:
     assert first.says.endswith("or what it is found from: no other reading tells which")
 
 
+@pytest.mark.slow
 def test_a_reading_among_fine_ones_of_its_segment_is_a_sure_slip() -> None:
     """An ordinate of S, the signs of a being as they should."""
     rows = [
@@ -117,6 +120,7 @@ def test_a_reading_among_fine_ones_of_its_segment_is_a_sure_slip() -> None:
     assert (first.kind, first.segment, first.chance) == ("slip", "S", 1.0)
 
 
+@pytest.mark.slow
 def test_what_nobody_knows_is_begun_where_the_drawing_goes_wrong_first() -> None:
     """ab, by a factor that changes with the position, and pb much more so: pb comes later."""
     rng = np.random.default_rng(3)
@@ -146,6 +150,7 @@ def test_what_means_the_same_is_told_once(kind: str, turn: int, once: str) -> No
     assert [once in one or "circle" in one for one in says].count(True) == 1
 
 
+@pytest.mark.slow
 def test_a_mistake_of_signs_explains_readings_that_bear_the_other_sign() -> None:
     """Their magnitudes are right: V and a of a diagram that is upside down."""
     report = report_of(with_mistake(kind_of("S, V, a upside down"), 0, 70000))

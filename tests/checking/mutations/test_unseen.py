@@ -39,6 +39,7 @@ def test_accelerations_show_velocities_too() -> None:
     assert note("accelerations") == ""
 
 
+@pytest.mark.slow
 def test_a_table_shows_the_plans_that_it_was_found_from() -> None:
     """A figure of a table has no step of its own: a mistake in a view is made, and the figure moves or not."""
     checker = Checker(read(SHEETS / LARGEST), trials=20)

@@ -65,6 +65,7 @@ RIGHT = [
 ]
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("number", range(len(RIGHT)))
 @pytest.mark.slow
 def test_a_right_drawing_is_read_in_its_own_scale_and_turn(number: int) -> None:
@@ -100,6 +101,7 @@ WRONG = [
 ]
 
 
+@pytest.mark.turns(3)
 @pytest.mark.slow
 @pytest.mark.parametrize(("machine", "mistake"), WRONG)
 def test_a_wrong_drawing_is_read_as_it_was_drawn(machine: str, mistake: str) -> None:

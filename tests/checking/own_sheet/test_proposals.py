@@ -29,6 +29,7 @@ def proposed(kind: Kind, machine: str = "") -> tuple[Proposal, ...]:
     return proposals(exact(machine or kind.machine), own_plans(kind).flat, HANDS["student"])
 
 
+@pytest.mark.turns(2)
 @pytest.mark.parametrize(
     "kind",
     [

@@ -67,6 +67,7 @@ def test_a_hard_photograph_comes_back_in_true_millimetres(
     assert flat.image.shape[1] == round(lines.paper.right)
 
 
+@pytest.mark.slow
 def test_a_photograph_without_a_frame_is_told() -> None:
     random = np.random.default_rng(1)
     grain = random.normal(128, 20, (900, 1200, 3)).clip(0, 255).astype(np.uint8)

@@ -11,13 +11,14 @@ import pytest
 from support import pages
 from support.browser import Opened
 
+HERE = f"{Path(__file__).parent}{os.sep}"
 PLAYED = ("crank-press", "crank-rocker", "gear-pair")
 """Scenes that are played from end to end: all that a machine is asked for, a plain mechanism, a part."""
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """A browser takes seconds to begin: nothing here is an everyday test. All are played when measured."""
-    here = [item for item in items if Path(__file__).parent in item.path.parents]
+    here = [item for item in items if str(item.path).startswith(HERE)]
     left_out = set()
     for item in here:
         item.add_marker(pytest.mark.slow)

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 from support import pages
+from support.tasks import answered
 
-from graphic_tmm.accuracy.answer import answer
 from graphic_tmm.page.page import page as written
 
 SCENE = "slider-diagrams"
@@ -18,7 +18,7 @@ PHONE = {"width": 390, "height": 844}
 def weighed_page(tmp_path_factory):
     made, found = pages.on_sheets(SCENE, "en")
     file = tmp_path_factory.mktemp("weighed") / "page.html"
-    file.write_text(written(made, found, weighed=answer(made.scene)), encoding="utf-8")
+    file.write_text(written(made, found, weighed=answered(SCENE, "en")), encoding="utf-8")
     return file
 
 

@@ -6,7 +6,7 @@ import re
 from itertools import pairwise
 
 import pytest
-from support.browser import tool
+from support.axe import serious
 from support.scenes import edited
 
 from graphic_tmm.page.page import page as written
@@ -27,6 +27,8 @@ LOOKS = {
     "contrast": {"contrast": "more"},
 }
 STEP = "#velocities/5/9"
+LARGE = {"en": "windrower", "ru": "engine"}
+"""The largest scenes that are in a language: in the other one they are composed anew, for seconds."""
 
 
 def tabs_of(page) -> list[str]:
@@ -36,18 +38,6 @@ def tabs_of(page) -> list[str]:
     )
     assert there
     return there
-
-
-AXE = """() => axe.run({ exclude: [["svg > *"]] }, { resultTypes: ["violations"] }).then((found) =>
-  found.violations.filter((one) => ["serious", "critical"].includes(one.impact))
-    .map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" ")}`))"""
-
-
-def serious(page) -> list[str]:
-    """What axe finds on a page that is serious; the thousands of strokes of a drawing are one image."""
-    if not page.evaluate("() => 'axe' in window"):
-        page.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
-    return page.evaluate(AXE)
 
 
 @pytest.mark.turns(2)
@@ -86,7 +76,7 @@ def test_everything_is_in_sight_and_large_enough_to_press(
 ) -> None:
     """In one language by turns, with ``--measured`` in both."""
     for language in languages.split()[: many(2, 1)]:
-        assert_in_sight(page_of("windrower", language, STEP, viewport=SIZES[size]).page)
+        assert_in_sight(page_of(LARGE[language], language, STEP, viewport=SIZES[size]).page)
 
 
 def assert_in_sight(page) -> None:
@@ -216,7 +206,7 @@ CYRILLIC = """(code) => document.body.dispatchEvent(
 
 
 def test_letters_act_on_a_russian_keyboard_too(page_of) -> None:
-    page = page_of("windrower", "ru", "#lecture:velocities/5/9").page
+    page = page_of(LARGE["ru"], "ru", "#lecture:velocities/5/9").page
     page.evaluate(CYRILLIC, "KeyB")
     assert page.locator("#lecture .black").is_visible()
 
@@ -303,7 +293,7 @@ def test_an_address_that_says_nothing_does_no_harm(page_of, address: str) -> Non
 def test_without_scripts_sheets_and_protocol_are_read(
     opened, files, size: str, language: str
 ) -> None:
-    tab = opened(files("windrower", language), java_script_enabled=False, viewport=SIZES[size])
+    tab = opened(files(LARGE[language], language), java_script_enabled=False, viewport=SIZES[size])
     page = tab.page
     assert page.locator(".hint").first.is_visible()
     assert not page.locator("#trouble").is_visible()

@@ -13,7 +13,8 @@ import numpy as np
 import pytest
 from PIL import Image
 from support import gallery, pages, photographs
-from support.browser import FRAMES, Opened, tool
+from support.axe import serious
+from support.browser import FRAMES, Opened
 from support.photographs import PAPER, Camera
 
 from graphic_tmm.checking.cells import points
@@ -23,9 +24,6 @@ from graphic_tmm.paper.sheet_frame import drawing_area
 NAME, PLAN, POSITION = "crank-rocker", "positions", "0"
 SIZE = 210.0, 297.0
 CAMERA = Camera((6, -5, 3), 560, 2950, 1500, 2000, lens=0.002, middle=(105.0, 148.5))
-AXE = """() => axe.run({ exclude: [["svg > *"]] }, { resultTypes: ["violations"] }).then((found) =>
-  found.violations.filter((one) => ["serious", "critical"].includes(one.impact))
-    .map((one) => `${one.id}: ${one.nodes.map((node) => node.html.slice(0, 120)).join(" ")}`))"""
 SAME = 0.2
 """What a point may be off, mm: a dot of the loupe is 0.03 mm here, a click goes to a whole one."""
 
@@ -261,9 +259,3 @@ def test_a_phone_has_room_for_it(hands: Callable[..., Hands], size: dict[str, in
     assert told["height"] >= found.told.evaluate("(one) => one.scrollHeight")
     assert panel["y"] >= told["y"] + told["height"] or panel["x"] >= told["x"] + told["width"]
     assert serious(found.page) == []
-
-
-def serious(page: Any) -> list[str]:
-    """What axe finds on a page that is serious."""
-    page.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
-    return list(page.evaluate(AXE))

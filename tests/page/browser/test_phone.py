@@ -56,6 +56,12 @@ def shown(opened: Any, file: Path, address: str, width: int, height: int) -> Any
     return page
 
 
+def went(page: Any, file: Path, address: str) -> None:
+    """Go to another address of the page, which is not read anew for it."""
+    page.goto(file.as_uri() + address)
+    page.evaluate(FRAMES)
+
+
 @pytest.mark.turns(2)
 @pytest.mark.parametrize("size", PHONES)
 def test_nothing_collides_on_a_phone(size: tuple[int, int], file: Path, opened: Any) -> None:
@@ -66,7 +72,7 @@ def test_nothing_collides_on_a_phone(size: tuple[int, int], file: Path, opened: 
         assert page.locator("header").bounding_box()["height"] <= HEADER
         assert page.evaluate("document.scrollingElement.scrollWidth") <= size[0]
     for address in (*STILL, "#lecture:velocities//999", "#crank:"):
-        page = shown(opened, file, address, *size)
+        went(page, file, address)
         seen, meeting = page.evaluate(MEETING)
         assert seen > 1, address
         assert meeting == 0, address
@@ -93,7 +99,7 @@ def test_the_table_tells_what_was_read(file: Path, opened: Any) -> None:
     last = int(page.locator("#play .stage").get_attribute("data-step"))
     counts = []
     for n in range(0, last + 1, 3):
-        page = shown(opened, file, f"#velocities/4/{n}", 1280, 800)
+        went(page, file, f"#velocities/4/{n}")
         rows = page.locator("#play .values tbody tr:visible")
         counts.append(rows.count())
         assert all(rows.nth(k).locator("td:visible").count() == 3 for k in range(rows.count()))

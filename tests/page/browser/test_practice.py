@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 from support import gallery, pages
-from support.browser import tool
+from support.axe import serious
 
 from graphic_tmm.checking.cells import cells, points
 from graphic_tmm.checking.readings.read import read_readings
@@ -297,9 +297,6 @@ SMALL = """() => ["button", "select", "input", "summary"]
   .flatMap((name) => [...document.querySelectorAll(`#practice ${name}`)]).filter((one) => one.checkVisibility())
   .map((one) => [one.textContent, one.getBoundingClientRect()])
   .filter(([, { width, height }]) => width < 43.5 || height < 43.5).map(([name]) => name)"""
-AXE = """() => axe.run("#practice", { exclude: [["svg > *"]] }).then((found) => found.violations
-  .filter((one) => ["serious", "critical"].includes(one.impact))
-  .map((one) => one.id + one.nodes[0].html.slice(0, 160)))"""
 
 
 @pytest.mark.parametrize(
@@ -309,7 +306,6 @@ def test_every_state_is_for_everybody(
     student: Callable[..., Student], look: dict[str, Any]
 ) -> None:
     own = student(**look)
-    own.page.evaluate(tool("axe-core/axe.min.js").read_text(encoding="utf-8"))
     states = [
         lambda: None,
         lambda: own.keys("3"),
@@ -321,7 +317,7 @@ def test_every_state_is_for_everybody(
         state()
         assert (k, own.page.evaluate(WIDE)) == (k, 0)
         assert (k, own.page.evaluate(SMALL)) == (k, [])
-        assert (k, own.page.evaluate(AXE)) == (k, [])
+        assert (k, serious(own.page, "#practice")) == (k, [])
 
 
 def test_a_plan_is_drawn_with_lengths_of_ones_own(student: Callable[..., Student]) -> None:

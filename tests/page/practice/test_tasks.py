@@ -59,6 +59,7 @@ def test_every_plan_is_posed_where_it_can_be_drawn(name: str) -> None:
                     assert abs(length) >= SHORT or (everywhere < SHORT).all(), (name, seed, step)
 
 
+@pytest.mark.slow
 def test_poses_stand_behind_the_positions_and_change_nothing_of_them() -> None:
     made, there = gallery.exact("windrower"), row("windrower")
     plain = Packing(made, there, ()).data(())
