@@ -97,6 +97,7 @@ def passes(found: Counter[str]) -> None:
 
 @pytest.mark.turns(2)
 @pytest.mark.parametrize("name", MACHINES)
+@pytest.mark.slow
 def test_verdicts_alone_are_those_of_the_report(name: str, tmp_path: Path) -> None:
     """What the tests below judge by is what a person is shown, of an honest drawing and of a wrong one."""
     pen = Pencil(np.random.default_rng(7), RULERS[0])

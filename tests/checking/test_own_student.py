@@ -50,6 +50,7 @@ def test_without_slips_he_draws_what_is_due(machine: Machine) -> None:
     assert any(one.plan == "forces" for one in figures) == bool(machine.loads)
 
 
+@pytest.mark.slow
 def test_mistakes_move_what_is_read() -> None:
     """Each kind's drawing differs from the honest one of the same hand and seed."""
     for k, kind in enumerate(KINDS):

@@ -108,6 +108,7 @@ def photo(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> tuple[object, ...]
 
 @pytest.mark.turns(1)
 @pytest.mark.parametrize("place", ["1e300,-1e300", "-1,5", "100,340", "250,100"])
+@pytest.mark.slow
 def test_a_pole_beside_the_sheet_is_refused(photo: tuple[object, ...], place: str) -> None:
     done = invoke("check", "crank-rocker", *photo, "--sheet", 2, "--pole", f"velocities:1={place}")
     assert (done.exit_code, done.stdout, Path("o.svg").exists()) == (2, "", False), done.output
@@ -131,6 +132,7 @@ def test_what_is_for_points_seen_is_not_passed_over_with_readings(
     assert "leave out READINGS" in done.stderr
 
 
+@pytest.mark.slow
 def test_a_sheet_without_plans_has_no_file_of_points(photo: tuple[object, ...]) -> None:
     done = invoke("check", "slider-diagrams", *photo, "--sheet", 2, "--readings-out", "r.csv")
     assert (done.exit_code, Path("r.csv").exists()) == (0, False), done.output
@@ -195,12 +197,14 @@ def test_nothing_wrong_is_never_said_with_a_plan_unseen() -> None:
 
 @pytest.mark.turns(1)
 @pytest.mark.parametrize("plan", ["positions:99=50,50", "velocities:99=50,50", "forces:1=50,50"])
+@pytest.mark.slow
 def test_a_plan_that_cannot_be_clicked_is_refused(photo: tuple[object, ...], plan: str) -> None:
     done = invoke("check", "crank-rocker", *photo, "--sheet", 2, "--plan", plan)
     assert (done.exit_code, done.stdout) == (2, ""), done.output
     assert "--plan: there is no plan" in done.stderr
 
 
+@pytest.mark.slow
 def test_a_clicked_plan_that_is_not_drawn_is_said_to_be_unseen(photo: tuple[object, ...]) -> None:
     plan = ("--plan", "velocities:1=100,150,140,120", "--paper", "A4")
     done = invoke("check", "crank-rocker", *photo, *plan)
@@ -239,6 +243,7 @@ def test_plans_are_proposed_as_they_can_be_clicked_and_nothing_is_judged(
     assert "Nothing is wrong" in judged.stdout
 
 
+@pytest.mark.slow
 def test_where_no_plan_is_recognised_clicks_are_asked_for(photo: tuple[object, ...]) -> None:
     done = invoke("check", "crank-rocker", *photo, "--propose", "--paper", "A4")
     assert (done.exit_code, done.stdout) == (0, ""), done.output

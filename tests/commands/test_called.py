@@ -257,6 +257,7 @@ def test_a_sheet_without_the_plans_that_it_names_says_so(place: str, tmp_path: P
 @pytest.mark.parametrize(
     ("there", "hidden"), [("", "0, 2, 4"), ("accelerations = [2, 3]\n", "0, 4"), (None, "")]
 )
+@pytest.mark.slow
 def test_inertia_from_plans_that_are_not_drawn_says_so(
     there: str | None, hidden: str, tmp_path: Path
 ) -> None:

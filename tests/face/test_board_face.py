@@ -193,6 +193,7 @@ def test_what_a_board_does_not_take_is_refused(ask, error, says) -> None:
         ask()
 
 
+@pytest.mark.slow
 def test_formulas_of_chapters_are_known_whatever_was_done_before() -> None:
     """In a process that has drawn nothing: a known name takes other marks, another one is absent."""
     code = (

@@ -67,6 +67,7 @@ def test_readings_are_the_same_wherever_they_stand(readings) -> None:
     assert found.wrong == 1
 
 
+@pytest.mark.slow
 def test_a_report_prints_is_shown_and_goes_to_another_process() -> None:
     found = DRAWN.check(TEXT)
     assert "pb" in repr(found)

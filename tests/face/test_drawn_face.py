@@ -43,6 +43,7 @@ def told(drawn: tmm.Drawn, trial: int = 0) -> list[dict[str, object]]:
 
 
 @each("name", EVERYDAY)
+@pytest.mark.slow
 def test_tables_results_and_scales_are_those_of_the_command(name) -> None:
     due, drawn = tabled(name), tmm.draw(name)
     columns = {(one["plan"], one["segment"]): one for one in due["columns"]}
@@ -72,6 +73,7 @@ def test_angles_run_along_the_positions() -> None:
     assert table.angles == pytest.approx([one["angle_deg"] for one in due])
 
 
+@pytest.mark.slow
 def test_many_drawings_are_arrays_of_which_the_first_is_that_of_one() -> None:
     one = tmm.draw(NAME, hand="student", seed=7)
     many = tmm.draw(NAME, hand="student", seed=7, trials=1200)
@@ -153,6 +155,7 @@ def test_a_step_knows_its_figure() -> None:
 
 
 @each("name", ["lettering", NAME])
+@pytest.mark.slow
 def test_sheets_are_those_of_the_command_to_the_byte(name, tmp_path) -> None:
     due = sheet_files(tmm.read(name))[1]
     written = tmm.draw(name).save(tmp_path / f"{name}.svg")

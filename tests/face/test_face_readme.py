@@ -32,6 +32,7 @@ def test_the_page_of_the_face_is_true() -> None:
 
 
 @each("name", [*(f"graphic_tmm.face.{one}" for one in TOLD), "graphic_tmm.scene.records"])
+@pytest.mark.slow
 def test_the_examples_of_docstrings_are_true(name) -> None:
     found = doctest.testmod(import_module(name), optionflags=FLAGS)
     assert found.attempted

@@ -105,6 +105,7 @@ def test_a_notebook_shows_the_first_sheet_of_what_is_drawn() -> None:
     assert (f"and {more} more: .sheets" in shown) == (more > 0)
 
 
+@pytest.mark.slow
 def test_a_notebook_is_told_why_there_is_no_sheet() -> None:
     scene = tmm.read(TEXT).with_({"title": "<b>T", "scales.mu_l": "0.00001 m/mm"})
     shown = tmm.draw(scene)._repr_html_()

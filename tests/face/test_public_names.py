@@ -41,6 +41,7 @@ def test_a_package_that_is_only_imported_is_light() -> None:
     assert run(f"import sys, graphic_tmm; dir(graphic_tmm); print({heavy})") == "set()\n"
 
 
+@pytest.mark.slow
 def test_reading_and_figures_need_no_matplotlib_and_no_pandas() -> None:
     code = (
         "import sys, graphic_tmm as t; d = t.draw('crank-rocker'); d.table('velocities').to_records();"

@@ -93,6 +93,7 @@ def test_the_rest_is_drawn_and_the_chapter_is_named(
     assert "—°" not in note
 
 
+@pytest.mark.slow
 def test_what_is_left_out_keeps_its_place_in_the_note(tmp_path: Path) -> None:
     """Not before the structure of the mechanism, where nothing of it has been told yet."""
     file = scene(tmp_path, "diagrams", "en", more=True)

@@ -75,6 +75,7 @@ def test_groups_are_no_smaller_than_the_plan_and_link_1_no_larger_than_they(
         assert alone >= min(groups.values()) * (1 - 1e-9), scene.source
 
 
+@pytest.mark.slow
 def test_a_crank_can_be_measured_as_far_as_its_plan_goes_on_the_sheet(tmp_path: Path) -> None:
     for scene in scenes(tmp_path, 6, ("A1", PLACES[:1])):
         work = make(scene, exact=True).boards[0]
@@ -88,6 +89,7 @@ def test_a_crank_can_be_measured_as_far_as_its_plan_goes_on_the_sheet(tmp_path: 
         assert crank >= CRANK or 2.0 * longest(work, "positions") > LARGEST, scene.source
 
 
+@pytest.mark.slow
 def test_sizes_hang_on_the_format_and_not_on_the_hand(tmp_path: Path) -> None:
     (large,) = scenes(tmp_path, 1, ("A1", PLACES[:3]))
     small = replace(large, sheets=tuple(replace(one, format="A3") for one in large.sheets))
@@ -145,6 +147,7 @@ def _sheets_of_forces(of: Composed) -> int:
     return sum(sheet.order == 1 for sheet in of.composition.sheets)
 
 
+@pytest.mark.slow
 def test_each_kind_takes_what_room_its_sheet_has(tmp_path: Path) -> None:
     for scene in scenes(tmp_path, 6, ("A1", PLACES[:3])):
         sizes, rooms = by_rule(scene, [Mechanism(scene)])

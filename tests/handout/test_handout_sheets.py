@@ -104,6 +104,7 @@ def assert_sheets_are_the_series(name: str, language: str) -> None:
 
 
 @pytest.mark.parametrize("name", CHEAP)
+@pytest.mark.slow
 def test_the_sheets_of_a_scene(name: str) -> None:
     judge(name)
 
@@ -126,6 +127,7 @@ def test_several_pictures_stand_on_a_sheet() -> None:
             assert len(one.pictures) >= 2.5 * len(pages(one)), one.name
 
 
+@pytest.mark.slow
 def test_the_overview_is_one_sheet_where_it_can_be() -> None:
     found = [one for _, one in told("crank-rocker")]
     assert sum(len(one.pictures) for one in found) < 80

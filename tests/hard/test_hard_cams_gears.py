@@ -135,6 +135,7 @@ def pointed(z1: int, z2: int) -> float:
 
 @each("z", [(6, 40), (7, 30), (10, 25)])
 @each("off", [-0.05, -1e-9, 0.0, 1e-9, 0.05])
+@pytest.mark.slow
 def test_teeth_about_the_shift_that_makes_them_pointed(z: tuple[int, int], off: float) -> None:
     x = pointed(*z) + off
     of = pair(GearTask(*z, 0.01, x, 0.0))

@@ -63,6 +63,7 @@ def fields(text: str) -> set[str | None]:
 
 
 @given(st.text() | st.sampled_from(HOSTILE), st.integers(5, 90))
+@pytest.mark.slow
 def test_what_is_shown_is_short_printable_and_on_one_line(text: str, most: int) -> None:
     out = printable_text(text, most)
     assert len(out) <= most

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from support.batches import dies, dies_once, due, files_of, killed, sums, work
 from support.each import each
 
@@ -12,6 +13,7 @@ from graphic_tmm.classroom.batch.run import run
 
 @each("deadly", [dies, killed])
 @each("executor", [1, 2])
+@pytest.mark.slow
 def test_only_the_guilty_fail(deadly: object, executor: int, tmp_path: Path) -> None:
     log, works = tmp_path / "log", sums(12)
     works[3:3] = [work(deadly, "first", "")]

@@ -204,6 +204,7 @@ def contents(folder: Path) -> dict[str, bytes]:
     }
 
 
+@pytest.mark.slow
 def test_a_class_of_one_scene_without_variants(tmp_path: Path) -> None:
     """In Russian; a rule of its own; status 0, nothing written."""
     scene = tmp_path / "slider.toml"

@@ -42,6 +42,7 @@ WRONG = {
 
 
 @each("name", WRONG)
+@pytest.mark.slow
 def test_wrong_input_is_told_and_nothing_written(
     scene: Path, name: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -61,6 +62,7 @@ def test_wrong_input_is_told_and_nothing_written(
     assert sorted(scene.parent.rglob("*")) == before
 
 
+@pytest.mark.slow
 def test_hostile_names_do_nothing(scene: Path) -> None:
     place = scene.parent / "handed"
     (place / "01.csv").unlink()

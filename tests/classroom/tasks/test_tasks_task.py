@@ -312,6 +312,7 @@ def inside(svg: str) -> list[bool]:
     ]
 
 
+@pytest.mark.slow
 def test_what_two_sections_state_of_a_cylinder_is_said_once() -> None:
     """Forces and flywheel both have the gas of a V engine; its second cylinder fires a turn later."""
     text = (SHEETS / "v-engine" / "scene.toml").read_text("utf-8")

@@ -54,6 +54,7 @@ def test_tasks_and_keys_stand_in_folders_of_their_own() -> None:
     assert [work.name for work in works(BASE, VARIANTS, keys=())] == ["tasks/7", "tasks/8а"]
 
 
+@pytest.mark.slow
 def test_a_task_tells_the_values_of_its_variant() -> None:
     first, second = (texts(once(work).files) for work in works(BASE, VARIANTS, keys=()))
     assert "Вариант 7" in first

@@ -164,6 +164,7 @@ def test_shapers_are_good_and_stand_on_the_sheets_ordered(
     assert len(sheets.sheets) == len(made.scene.sheets)
 
 
+@pytest.mark.slow
 def test_ranges_that_hold_too_few_are_refused_with_the_reasons() -> None:
     long = Ranges((Range("OA", ("330", "340", "350"), "mm"), Range("CD", ("180",), "mm")), Good())
     with pytest.raises(SheetError, match=r"hold 3 variants, 4 are wanted"):

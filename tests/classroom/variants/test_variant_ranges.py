@@ -88,6 +88,7 @@ def test_what_is_wrong_is_told_at_its_line(
         assert one in str(told.value)
 
 
+@pytest.mark.slow
 def test_whatever_a_file_of_ranges_holds_is_told_or_read(shaper: Base, tmp_path: Path) -> None:
     random_ = random.Random(3)
     parts = [
