@@ -16,14 +16,14 @@ from support.scripts import run
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.scales import common
-from graphic_tmm.board.script import Script
+from graphic_tmm.board.script_rows import RowScript
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.page.dense import dense
 from graphic_tmm.page.live.log import LiveLog
 from graphic_tmm.page.live.scales import free_scales, scales_data
-from graphic_tmm.page.practice.pack import HEAD
+from graphic_tmm.page.practice.pack import written_module
 from graphic_tmm.scene.records import Scene
 
 SHARES = (0.1, -0.3, 0.4)
@@ -82,7 +82,7 @@ def _chosen(own: Drawn, others: list[Drawn], kept: tuple[int, ...] = ()) -> Any:
     """Return the scale factors that the page of a scene has, and what it chooses with what others are given."""
     found = dense(own)
     assert found is not None
-    script = Script()
+    script = RowScript()
     log = LiveLog(found, script)
     scales = scales_data(log, free_scales(found))
     own_scale = {view.name: view.scale for view in found.log.views}
@@ -106,7 +106,7 @@ def _chosen(own: Drawn, others: list[Drawn], kept: tuple[int, ...] = ()) -> Any:
         "values": values,
         "kept": kept,
     }
-    written = HEAD + script.program({}, "enterBoard", log.logs)
+    written = written_module(script, {}, log.functions)
     by_slot = {mark.slot: mark for mark in own.construction.given}
     free_marks = [by_slot[one["mu"]] for one in scales["free"]]
     return free_marks, run(PROGRAM, asked, written=written)
