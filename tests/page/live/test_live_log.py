@@ -35,7 +35,7 @@ def off(page: LivePage, due: Mapping[int, object], told: list[list[Any]], at: li
     the largest of the kind in all views, or 1 %.
     """
     rows: dict[tuple[str, str], dict[str, list[tuple[Floats, Floats]]]] = {}
-    for step in (*page.log.still, *page.log.turn):
+    for step in page.log.live:
         mark = step.it
         flat: list[Floats] = []
         for part in arrays(due[mark.slot]):
@@ -80,6 +80,9 @@ def judge(page: LivePage) -> None:
     cases = [changed(page, n) for n in range(CASES)]
     at = [k * page.found.whole // ANGLES for k in range(ANGLES)]
     for case, told in zip(cases, by_page(page, cases, at), strict=True):
-        given = {**page.found.given, **page.log.own, **case}
+        sheet = page.found.sheet
+        across = execute(sheet.construction, {**sheet.given, **case}, page.log.known)
+        carried = {mark: across[mark] for mark in page.log.known}
+        given = {**page.found.given, **page.log.own, **case, **carried}
         due = execute(again(page.found.log, given), given)
         assert off(page, due.values, told, at) <= NEAR
