@@ -17,7 +17,7 @@ import { element, typeset } from "./dom.js";
 export const NONE = "";
 
 /** What is called by more letters has a row of its own. */
-const LONG = 14;
+const LONG = 10;
 
 /**
  * A list of what is told, each with the text that changes.
@@ -34,7 +34,7 @@ export class Values {
       const text = document.createTextNode(NONE);
       const cell = element("dd", {}, text);
       if (value.unit !== "") cell.append(` ${value.unit}`);
-      const row = element("div", { class: value.letter.length > LONG ? "gone long" : "gone" }, element("dt", {}, ...typeset(value.letter), " = "), cell);
+      const row = element("div", { class: value.letter.replace(/[_{}^]/g, "").length > LONG ? "gone long" : "gone" }, element("dt", {}, ...typeset(value.letter), " = "), cell);
       this.list.append(row);
       return { value, text, row };
     });
