@@ -354,6 +354,9 @@ def _outline(spots: Sequence[complex], pen: str) -> list[Stroke]:
     edge = shapely.MultiPoint(coordinates(apart)).convex_hull.boundary
     own = dict(zip(coordinates(apart), apart, strict=True))
     corners = [own[x, y] for x, y in shapely.get_coordinates(edge)[:-1].tolist()]
+    # wherever the link lies, its outline begins with the same point
+    first = min(range(len(corners)), key=lambda k: apart.index(corners[k]))
+    corners = [*corners[first:], *corners[:first]]
     decided(*_hull(corners, apart))
     made = [line(pen, *corners, closed=True)]
     for spot in apart:
@@ -363,8 +366,7 @@ def _outline(spots: Sequence[complex], pen: str) -> list[Stroke]:
 
 
 def _hull(corners: Sequence[complex], spots: Sequence[complex]) -> Iterator[bool]:
-    """Yield the comparisons by which an outline has its corners: it begins below, all lies on its right."""
-    yield from (z.imag < corners[0].imag for z in corners)
+    """Yield the comparisons by which an outline has its corners: all lies on its right."""
     for a, b in zip(corners, (*corners[1:], corners[0]), strict=True):
         yield from (((z - a) * (b - a).conjugate()).imag > TOGETHER for z in spots)
 

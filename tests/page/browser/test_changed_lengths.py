@@ -112,8 +112,9 @@ def test_a_joint_is_dragged_to_its_lengths(page_of: Begin) -> None:
     grip = page.locator(".lead .grip").last  # C, B, E …: the first lies on top
     names = [_field(page, one).input_value() for one in ("X_C", "Y_C")]
     box = grip.bounding_box()
-    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
-    assert box["width"] >= 1
+    # taken hold of at its rim
+    x, y = box["x"] + box["width"] / 2 + 14, box["y"] + box["height"] / 2
+    assert 43 < box["width"] < 46
     page.mouse.move(x, y)
     page.mouse.down()
     page.mouse.move(x + 12, y - 5)
@@ -122,7 +123,7 @@ def test_a_joint_is_dragged_to_its_lengths(page_of: Begin) -> None:
     assert after[0] > float(names[0]) + 2
     assert after[1] > float(names[1]) + 0.5
     now = grip.bounding_box()
-    assert abs(now["x"] + now["width"] / 2 - x - 24) < 2
+    assert abs(now["x"] + now["width"] / 2 + 14 - x - 24) < 2
     assert abs(now["y"] + now["height"] / 2 - y + 10) < 2
 
 

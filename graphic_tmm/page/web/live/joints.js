@@ -9,6 +9,9 @@ import { drawnElement } from "../dom.js";
 /** The radius of a joint's ring, a share of the figure's larger side; so far off the crank's pin its own stands. */
 const [RING, OFF_PIN] = [0.02, 0.07];
 
+/** A joint is taken hold of from so far, dots of the screen. */
+const GRASP = 22;
+
 /**
  * Put rings on the joints of a mechanism that can be dragged: where one is let go tells its lengths.
  * @param {SVGElement} svg
@@ -24,42 +27,58 @@ export function jointRings(svg, joints, marks, change, drop) {
   let at = 0;
   const rings = joints.map(([slot, limbs, pivot = -1]) => {
     const ring = drawnElement("circle", { class: "joint", r: RING * size });
-    const grip = drawnElement("circle", { class: "grip", r: 0.1 });
-    const both = drawnElement("g", {}, ring, grip);
-    let held = -1;
+    const grip = drawnElement("circle", { class: "grip" });
+    /** @type {{slot: number, pivot: number, limbs: JointLimbs[1], grip: SVGElement, both: SVGElement, stands: Complex | null}} */
+    const one = { slot, pivot, limbs, grip, both: drawnElement("g", {}, ring, grip), stands: null };
+    return one;
+  });
+  /** What is dragged, by which pointer, and how far off. */
+  let [held, by, apart] = [rings[0], -1, { re: 0, im: 0 }];
+  for (const { grip } of rings) {
     grip.addEventListener("pointerdown", (event) => {
-      if (!event.isPrimary) return;
-      held = event.pointerId;
-      grip.setPointerCapture(held);
+      const place = event.isPrimary ? placeOn(svg, event) : null;
+      if (place === null) return;
+      [held, by] = [nearest(place), event.pointerId];
+      apart = { re: (held?.stands?.re ?? place.re) - place.re, im: (held?.stands?.im ?? place.im) - place.im };
+      grip.setPointerCapture(by);
       event.stopPropagation();
       event.preventDefault();
     });
     grip.addEventListener("pointermove", (event) => {
-      const place = event.pointerId === held ? placeOn(svg, event) : null;
-      if (place === null) return;
+      const place = event.pointerId === by ? placeOn(svg, event) : null;
+      if (place === null || held === undefined) return;
       event.stopPropagation();
       const now = marks(at);
-      change(lengthsTo(farther(place, now[pivot], -OFF_PIN * size), limbs, now));
+      const to = { re: place.re + apart.re, im: place.im + apart.im };
+      change(lengthsTo(farther(to, now[held.pivot], -OFF_PIN * size), held.limbs, now));
     });
     for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
       grip.addEventListener(name, () => {
-        if (held >= 0) drop();
-        held = -1;
+        if (by >= 0) drop();
+        by = -1;
       });
     }
-    return { slot, pivot, both };
-  });
+  }
   // the joint that is found first lies on top of what hangs on it
   svg.append(...rings.map(({ both }) => both).reverse());
+
+  /** @param {Complex} place */
+  function nearest(place) {
+    const off = (/** @type {(typeof rings)[0]} */ { stands }) => (stands === null ? Infinity : Math.hypot(stands.re - place.re, stands.im - place.im));
+    return rings.reduce((best, one) => (off(one) < off(best) ? one : best));
+  }
+
   return (k) => {
     at = k;
-    for (const { slot, pivot, both } of rings) {
-      const mark = marks(k)[slot];
+    const dot = /** @type {SVGSVGElement} */ (svg).getScreenCTM()?.a || 1;
+    for (const one of rings) {
+      const mark = marks(k)[one.slot];
       const there = mark !== undefined && typeof mark === "object" && "re" in mark && Number.isFinite(mark.re + mark.im);
-      both.setAttribute("visibility", there ? "inherit" : "hidden");
-      if (!there) continue;
-      const { re, im } = farther(mark, marks(k)[pivot], OFF_PIN * size);
-      both.setAttribute("transform", `translate(${re} ${-im})`);
+      one.stands = there ? farther(mark, marks(k)[one.pivot], OFF_PIN * size) : null;
+      one.both.setAttribute("visibility", there ? "inherit" : "hidden");
+      if (one.stands === null) continue;
+      one.both.setAttribute("transform", `translate(${one.stands.re} ${-one.stands.im})`);
+      one.grip.setAttribute("r", String(GRASP / dot));
     }
   };
 }
