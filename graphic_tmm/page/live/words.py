@@ -6,6 +6,9 @@ from graphic_tmm.language.said import said
 
 LIVE: dict[str, str] = {
     "givens": said("Lengths and other givens"),
+    "how changed": said(
+        "Move a range, type a value, or drag a joint by its ring; that beyond the crank's pin is its length."
+    ),
     "as given": said("As given"),
     "copy keys": said("Copy as TOML"),
     "copied": said("Copied."),
@@ -20,6 +23,7 @@ LIVE: dict[str, str] = {
         "With lengths of your own: {values}. How far a hand may be off is taken of the sheet's lengths."
     ),
     "questions": said("Three questions", context="of a page"),
+    "how answered": said("Answer by the range or the field of the letter; the rest is as given."),
     "ask ratio point": said(
         "With which {letter} is {ratio}, the ratio of the mean speeds of both strokes of {point}, {target}?"
     ),

@@ -169,7 +169,9 @@ def test_questions_are_answered_by_lengths(page_of: Begin) -> None:
     _give(page, "l_CB", "46")
     assert answers.text_content() == "The rest has to be as given."
     page.get_by_role("button", name="As given").click()
-    assert answers.text_content() == ""
+    assert answers.text_content() == "Right."
+    others = page.locator(".questions li").filter(has_not_text="at the most").get_by_role("status")
+    assert all(text.startswith("Now: ") for text in others.all_text_contents())
 
     page.mouse.up()
 

@@ -33,7 +33,7 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
   copy.disabled = true;
   const text = /** @type {HTMLTextAreaElement} */ (element("textarea", { class: "keys", readonly: "", hidden: "", "aria-label": "TOML", rows: "6" }));
   const list = element("div", { class: "givens" }, ...rows.map((row) => row.element));
-  const made = element("details", { class: "lengths" }, element("summary", {}, say("givens")), element("div", { class: "bar" }, given, copy), told, list, text);
+  const made = element("details", { class: "lengths" }, element("summary", {}, say("givens")), element("p", { class: "how" }, say("how changed")), element("div", { class: "bar" }, given, copy), told, list, text);
 
   /**
    * @param {Slider} slider

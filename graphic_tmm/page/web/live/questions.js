@@ -166,8 +166,9 @@ export function isRight({ kind, target }, value, turns, now) {
  */
 export function questionsPanel(trials, live, say, decimal, restore) {
   const list = element("ol");
-  const made = element("details", { class: "questions" }, element("summary", {}, say("questions")), list);
-  /** @type {{asked: Question, says: HTMLElement}[] | null} */
+  const how = element("p", {}, say("how answered"));
+  const made = element("details", { class: "questions" }, element("summary", {}, say("questions")), how, list);
+  /** The questions, what is said of each, whether it was answered. @type {{asked: Question, says: HTMLElement, solved: boolean}[] | null} */
   let rows = null;
   /** @type {Map<Slider, number>} */
   let values = new Map();
@@ -184,9 +185,9 @@ export function questionsPanel(trials, live, say, decimal, restore) {
       const key = asked.kind === "most" || asked.kind === "least" ? `ask ${asked.kind}` : `ask ${asked.kind} ${link ? "link" : "point"}`;
       const told = { letter: asked.slider.l, point: trials.out.l, ratio: RATIO, target: inUnits(asked.kind, asked.target) };
       list.append(element("li", {}, ...typeset(filled(say(key), told)), says));
-      return { asked, says };
+      return { asked, says, solved: false };
     });
-    if (rows.length === 0) list.replaceWith(element("p", {}, say("asks nothing")));
+    if (rows.length === 0) how.textContent = say("asks nothing");
     restore();
     judge(values);
   });
@@ -200,10 +201,13 @@ export function questionsPanel(trials, live, say, decimal, restore) {
     if (rows === null) return;
     const turns = !refused && trials.turns();
     const now = turns ? trials.now() : null;
-    for (const { asked, says } of rows) {
-      const right = isRight(asked, values.get(asked.slider) ?? asked.slider.v, turns, now);
-      says.classList.toggle("right", right && alone(asked.slider));
-      says.replaceChildren(...typeset(answer(asked, right, turns, now)));
+    for (const row of rows) {
+      const { asked, says } = row;
+      const right = alone(asked.slider) && isRight(asked, values.get(asked.slider) ?? asked.slider.v, turns, now);
+      row.solved ||= right;
+      const done = right || (row.solved && !values.has(asked.slider));
+      says.classList.toggle("right", done);
+      says.replaceChildren(...typeset(done ? say("answer right") : answer(asked, turns, now)));
     }
   }
 
@@ -214,16 +218,13 @@ export function questionsPanel(trials, live, say, decimal, restore) {
 
   /**
    * @param {Question} asked
-   * @param {boolean} right
    * @param {boolean} turns
    * @param {Strokes | null} now
    */
-  function answer({ kind, slider }, right, turns, now) {
-    if (values.size === 0) return "";
+  function answer({ kind, slider }, turns, now) {
     if (!alone(slider)) return values.has(slider) ? say("answer others") : "";
-    if (right) return say("answer right");
     if (!turns) return say("answer stops");
-    if (kind === "most" || kind === "least") return filled(say("answer turns"), { letter: slider.l });
+    if (kind === "most" || kind === "least") return values.size === 0 ? "" : filled(say("answer turns"), { letter: slider.l });
     return now === null ? "" : filled(say("answer now"), { value: inUnits(kind, now[kind]) });
   }
 
