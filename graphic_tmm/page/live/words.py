@@ -19,6 +19,7 @@ LIVE: dict[str, str] = {
     "exists": said("It exists over {share} of the turn."),
     "own lengths": said("Lengths of your own, exact: nothing is rounded as with a ruler."),
     "value of": said("{letter}, value"),
+    "given no number": said('"{text}" is no number: the value stays.'),
     "practised": said(
         "With lengths of your own: {values}. How far a hand may be off is taken of the sheet's lengths."
     ),

@@ -127,6 +127,17 @@ def test_a_joint_is_dragged_to_its_lengths(page_of: Begin) -> None:
     assert abs(now["y"] + now["height"] / 2 - y + 10) < 2
 
 
+def test_what_is_no_number_is_refused_in_words(page_of: Begin) -> None:
+    page = _opened(page_of)
+    for text in ("abc", " "):
+        _give(page, "l_OA", text)
+        assert (
+            page.locator(".lengths .told").text_content()
+            == f'"{text}" is no number: the value stays.'
+        )
+        assert _field(page, "l_OA").input_value() == "20"
+
+
 def test_the_crank_is_made_longer_beyond_its_pin(page_of: Begin) -> None:
     """Its own ring lies on the crank's line; dragged on along it the crank gets longer."""
     page = _opened(page_of)

@@ -28,7 +28,8 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
   const values = new Map();
   const say = (/** @type {string} */ key) => words[key] ?? key;
   const told = element("p", { class: "told", role: "status" });
-  const rows = sliders.map((slider) => givenRow(slider, reachOf(slider, sliders), decimal, filled(say("value of"), { letter: slider.n }), change, () => release(values)));
+  const acts = { change, release: () => release(values), refuse: (/** @type {string} */ text) => say_(filled(say("given no number"), { text })) };
+  const rows = sliders.map((slider) => givenRow(slider, reachOf(slider, sliders), decimal, filled(say("value of"), { letter: slider.n }), acts));
   const [given, copy] = [button(say("as given"), restore), button(say("copy keys"), copied)];
   copy.disabled = true;
   const text = /** @type {HTMLTextAreaElement} */ (element("textarea", { class: "keys", readonly: "", hidden: "", "aria-label": "TOML", rows: "6" }));
@@ -70,7 +71,9 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
     text.value = tomlOf(sliders, values, say("of several"));
     text.hidden = false;
     text.select();
-    navigator.clipboard?.writeText(text.value).then(() => say_(say("copied")), () => {});
+    const sayOf = (/** @type {boolean} */ there) => (there ? say_(say("copied")) : undefined);
+    // within another page, and on a disk, a browser may refuse the one and allow the other
+    navigator.clipboard?.writeText(text.value).then(() => sayOf(true), () => sayOf(document.execCommand("copy")));
   }
 
   /** @param {string} sentence */
@@ -106,10 +109,9 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
  * @param {[number, number]} reach
  * @param {string} decimal
  * @param {string} name of its field
- * @param {(slider: Slider, value: number) => void} change
- * @param {() => void} release
+ * @param {{change: (slider: Slider, value: number) => void, release: () => void, refuse: (text: string) => void}} acts
  */
-function givenRow(slider, [low, high], decimal, name, change, release) {
+function givenRow(slider, [low, high], decimal, name, { change, release, refuse }) {
   const label = slider.plan === undefined ? slider.n : `${slider.n}, ${slider.plan}`;
   const range = /** @type {HTMLInputElement} */ (
     element("input", { type: "range", min: String(low), max: String(high), step: "any", "aria-label": label })
@@ -141,7 +143,10 @@ function givenRow(slider, [low, high], decimal, name, change, release) {
   });
   field.addEventListener("change", () => {
     const value = Number(field.value.replace(",", ".").replace("−", "-")) / slider.by;
-    if (!Number.isFinite(value)) return set(good, false);
+    if (field.value.trim() === "" || !Number.isFinite(value)) {
+      refuse(field.value);
+      return set(good, false);
+    }
     change(slider, value);
     release();
   });
