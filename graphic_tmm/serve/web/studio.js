@@ -74,7 +74,7 @@ function tellState() {
   stood = text;
   document.body.classList.toggle("lost", stands === "lost");
   document.body.classList.toggle("busy", stands === "drawing");
-  document.body.classList.toggle("wrong", state?.ok === false);
+  document.body.classList.toggle("faulty", state?.ok === false);
 }
 
 /** @param {State} now */

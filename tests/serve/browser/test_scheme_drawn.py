@@ -180,12 +180,18 @@ def test_a_phone_draws_too(size: str, gallery: str, tab_of: Callable[..., Tab]) 
     assert in_sight(tab.page) == []
 
 
-def test_a_scene_that_is_there_is_drawn_on(scene: Path, tab_of: Callable[..., Tab]) -> None:
-    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+def begun(tab: Tab) -> SchemeHand:
+    """A hand over the scheme of the small scene, as soon as it is there."""
     hand = SchemeHand.__new__(SchemeHand)
     hand.tab, hand.page, hand.acts = tab, tab.page, 0
     hand.whole("I(1) → II(2-3)")
     hand.box = tab.page.locator(".scheme-paper").bounding_box()
+    return hand
+
+
+def test_a_scene_that_is_there_is_drawn_on(scene: Path, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    hand = begun(tab)
     assert scene.read_text("utf-8") == SMALL
     hand.length("AB", "0.32 m")
     tab.told("Drawn as the file says.")
@@ -210,3 +216,18 @@ def test_a_pin_dropped_on_another_is_joined_with_it(
     tab.page.mouse.up()
     hand.says("W = 2")
     assert tab.page.locator(".scheme-paper .pin").count() == 3
+
+
+def test_a_fault_of_the_scene_does_not_dress_the_labels(
+    scene: Path, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    begun(tab)
+    tab.told("Drawn as the file says.")
+    looks = """() => [...document.querySelectorAll(".scheme-tools span, .scheme-field span")]
+      .map((one) => { const it = getComputedStyle(one); return `${it.color} ${it.fontWeight}`; })"""
+    before = tab.page.evaluate(looks)
+    scene.write_text(SMALL + '[hand]\nname = "nobody"\n', encoding="utf-8")
+    tab.told("Faults: 1")
+    assert len(before) > 10
+    assert tab.page.evaluate(looks) == before
