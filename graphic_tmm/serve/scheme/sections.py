@@ -11,7 +11,7 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import Kind, Section, keys_of
-from graphic_tmm.scene.document import Document
+from graphic_tmm.scene.document import Document, as_table, toml
 from graphic_tmm.scene.new import about, example_of
 from graphic_tmm.scene.sections import declared
 from graphic_tmm.scene.splice import Unplaced, with_table
@@ -33,9 +33,19 @@ def offered(doc: Document, speech: Speech) -> list[dict[str, Any]]:
                 _key(name, field, example, speech)
                 for name, field, example in _fields(section, speech)
             ],
+            "there": _there(section.name, doc),
         }
         for section in declared().values()
         if _may_be_added(section, doc)
+    ]
+
+
+def _there(name: str, doc: Document) -> list[str]:
+    """Return what a scene has of a section that may stand several times, a line each."""
+    tables = doc.get(name)
+    return [
+        ", ".join(f"{k} = {v if isinstance(v, str) else toml(v)}" for k, v in as_table(one).items())
+        for one in (tables if isinstance(tables, list) else ())
     ]
 
 

@@ -60,6 +60,7 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme named": said("{name} stands in several places: change it"),
     "scheme add": said("Add what the task gives besides …"),
     "scheme add it": said("Add it"),
+    "scheme added": said("Added: {what}"),
     "scheme everywhere": said("everywhere"),
     "scheme here": said("here alone"),
     "scheme turn": said("The drive through its turn"),

@@ -28,7 +28,7 @@
  * @typedef {{key: string, kind: string, label: string, text: string, link: number | null, name: string,
  *   choices: string[], placeholder: string, says: string}} SchemeField link: whose it is; name: of a length used elsewhere, too
  * @typedef {{name: string, says: string, choices: string[], example: string, wanted: boolean}} SectionKey
- * @typedef {{name: string, says: string, keys: SectionKey[]}} OfferedSection
+ * @typedef {{name: string, says: string, keys: SectionKey[], there: string[]}} OfferedSection there: those of it that the scene has
  * @typedef {{letter: string, unit: string, low: number, high: number, closed: boolean}} Sweep what a drive goes through
  * @typedef {{at: number[], places: Record<string, ([number, number] | null)[]>}} Turn
  * @typedef {{version: string, sketch: Sketch, mobility: number | null, formula: string, says: string, text: string | null,

@@ -97,6 +97,18 @@ export function moved(sketch, letter, place) {
 }
 
 /**
+ * Let what an act has not moved stand where it stands by now.
+ * @param {Sketch} sketch
+ * @param {Sketch} was on which it was drawn
+ * @param {Sketch} now
+ * @returns {Sketch}
+ */
+export function rebased(sketch, was, now) {
+  const places = Object.entries(sketch.places).map(([letter, place]) => [letter, String(place) === String(was.places[letter]) ? (now.places[letter] ?? place) : place]);
+  return { ...sketch, places: Object.fromEntries(places) };
+}
+
+/**
  * Let the guide of a cylinder go with its pivot, and towards the pin of its rod.
  * @param {Sketch} before
  * @param {Sketch} sketch that is changed

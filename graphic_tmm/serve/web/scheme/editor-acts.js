@@ -40,32 +40,34 @@ export function renameLink(editor, from, to) {
 }
 
 /**
- * Type a value of the scene; the first length is the scale of all.
+ * Type a value of the scene; the first length is the scale of all. Return why it was refused.
  * @param {Editor} editor
  * @param {string} key
  * @param {string} value
  * @param {boolean} long whether it is a length of the mechanism
  */
 export function typeValue(editor, key, value, long) {
-  if (editor.fixed) return editor.tell(editor.say("fixed"));
-  const before = editor.history.keep(editor.moment);
-  const scale = long && !editor.measured;
-  const { sketch } = editor;
-  const act = { typed: { [key]: value }, scale, sketch: scale ? sketch : null, at: editor.answer?.at ?? null };
-  editor.ask(act, before, () => {
+  let scale = false;
+  let size = 1;
+  const act = () => {
+    scale = long && !editor.measured;
+    size = sizeOf(editor.sketch);
+    return { typed: { [key]: value }, scale, sketch: scale ? editor.sketch : null, at: editor.answer?.at ?? null };
+  };
+  return editor.ask(act, () => editor.history.keep(editor.moment), () => {
     if (!scale) return;
     editor.measured = true;
-    editor.picture.scale(sizeOf(editor.sketch) / sizeOf(sketch));
+    editor.picture.scale(sizeOf(editor.sketch) / size);
     editor.paper.fit();
   });
 }
 
 /**
- * Add a section with the values that were typed.
+ * Add a section with the values that were typed; return why it was refused.
  * @param {Editor} editor
  * @param {string} section
  * @param {Record<string, string>} typed
  */
 export function addSection(editor, section, typed) {
-  editor.ask({ section, typed, at: editor.answer?.at ?? null }, editor.history.keep(editor.moment));
+  return editor.ask(() => ({ section, typed, at: editor.answer?.at ?? null }), () => editor.history.keep(editor.moment));
 }

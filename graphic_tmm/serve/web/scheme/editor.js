@@ -1,4 +1,5 @@
 import { element } from "../../../page/web/dom.js";
+import { rebased } from "./changes.js";
 import { keyed } from "./editor-keys.js";
 import { History } from "./history.js";
 import { Hand } from "./hand.js";
@@ -49,6 +50,8 @@ export class Editor {
     /** Acts that are on their way, one after the other. @type {Promise<void>} */
     this.queue = Promise.resolve();
     this.waiting = 0;
+    /** Acts of the hand that are shown, and not sent yet. */
+    this.ahead = 0;
     /** Whether a length was typed: the first is the scale of all. */
     this.measured = false;
     /** @type {[number, number]} */
@@ -106,11 +109,18 @@ export class Editor {
   act(sketch, chosen = this.chosen, more = {}) {
     if (sketch === null) return this.tell(this.say("scheme nothing"));
     if (this.fixed) return this.tell(this.say("fixed"));
-    const before = this.history.keep(this.moment);
+    const was = this.sketch;
+    const drawn = this.ahead > 0 ? null : was;
+    this.ahead += 1;
     this.sketch = sketch;
     this.chosen = chosen;
     this.changed();
-    this.ask({ sketch, ...more }, before);
+    const by = () => ({ sketch: drawn !== null && this.answer !== null ? rebased(sketch, drawn, this.answer.sketch) : sketch, ...more });
+    const before = () => {
+      this.ahead -= 1;
+      return this.history.keep({ ...this.moment, sketch: this.ahead > 0 ? was : (this.answer?.sketch ?? was) });
+    };
+    void this.ask(by, before);
   }
 
   /** What is now. @returns {Moment} */
@@ -120,37 +130,44 @@ export class Editor {
   }
 
   /**
-   * Send an act when those before it are answered.
-   * @param {Partial<SchemeAct>} act
-   * @param {Moment} before what is to be again if it is refused
+   * Send an act when those before it are answered; return why it was refused.
+   * @param {() => Partial<SchemeAct>} act on what is by then
+   * @param {() => Moment} before what is to be again if it is refused
    * @param {() => void} done what follows if it is not
    */
-  ask(act, before = this.moment, done = () => {}) {
+  ask(act, before = () => this.moment, done = () => {}) {
     this.waiting += 1;
     this.element.setAttribute("aria-busy", "true");
-    this.queue = this.queue.then(async () => {
-      const { answer, errors } = await this.send({ text: this.text, ...act });
+    const answered = this.queue.then(async () => {
+      const was = before();
+      const asked = { text: this.text, ...act() };
+      const { answer, errors } = await this.send(asked);
       this.waiting -= 1;
       this.element.setAttribute("aria-busy", String(this.waiting > 0));
-      if (answer === null) return this.undone(errors, before, Object.keys(act.typed ?? {})[0]);
+      if (answer === null) return this.undone(errors, was, asked.typed !== undefined && asked.section === undefined);
+      this.side.refuse([]);
       this.take(answer);
       done();
+      return [];
     });
-    return this.queue;
+    this.queue = answered.then(() => {});
+    return answered;
   }
 
   /**
-   * Take back an act that was refused, and those that were done on it.
+   * Take back an act that was refused, and those that were done on it; return why.
    * @param {string[]} errors
    * @param {Moment} before
-   * @param {string} [key] of the value that was typed
+   * @param {boolean} typed whether it was a value, which says so itself
    */
-  undone(errors, before, key) {
+  undone(errors, before, typed) {
+    const says = errors.length > 0 ? errors : [this.say("not sent")];
     this.history.forget(before);
     ({ sketch: this.sketch, text: this.text, answer: this.answer } = before);
     this.changed();
-    this.tell(errors[0] ?? this.say("not sent"));
-    this.side.refuse(errors, key);
+    this.tell(says[0] ?? "");
+    if (!typed) this.side.refuse(says);
+    return says;
   }
 
   /**
@@ -168,7 +185,7 @@ export class Editor {
     this.answer = answer;
     this.shift(answer.shift);
     if (answer.text !== null) this.text = answer.text;
-    if (this.waiting === 0) this.sketch = answer.sketch;
+    if (this.ahead === 0) this.sketch = answer.sketch;
     if (this.chosen.letter !== undefined && !(this.chosen.letter in this.sketch.places)) this.chosen = {};
     if (this.chosen.number !== undefined && bodyOf(this.sketch, this.chosen.number) === undefined) this.chosen = {};
     this.turning.follow(answer);
@@ -186,7 +203,7 @@ export class Editor {
     this.text = text;
     this.measured = sketch === null;
     if (sketch !== null) this.sketch = sketch;
-    await this.ask(text !== "" || sketch === null ? {} : { sketch });
+    await this.ask(() => (text !== "" || sketch === null ? {} : { sketch }));
     if (this.history.past.length === 0 && this.sketch.links.length > 1) this.paper.fit();
   }
 
@@ -207,7 +224,7 @@ export class Editor {
     this.chosen = {};
     this.changed();
     const whole = moment.answer !== null && moment.answer.text !== null;
-    this.ask(whole ? { at: moment.answer?.at ?? null } : { sketch: this.sketch }, before);
+    void this.ask(() => (whole ? { at: moment.answer?.at ?? null } : { sketch: moment.sketch }), () => before);
   }
 
   cancel() {

@@ -94,7 +94,7 @@ export class Turning {
       editor.changed();
       return;
     }
-    await editor.ask({ at });
+    await editor.ask(() => ({ at }));
   }
 
   toggle() {
