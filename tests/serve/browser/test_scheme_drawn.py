@@ -306,3 +306,24 @@ def test_what_is_drawn_behind_a_length_leaves_it(scene: Path, tab_of: Callable[.
     text = scene.read_text("utf-8")
     assert '"0.32 m"' in text
     assert "S2 = " in text
+
+
+def test_a_section_is_added_once_and_said(scene: Path, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    begun(tab)
+    more = tab.page.locator(".more")
+    more.locator("select").first.select_option("load")
+    keys = more.locator("form > .scheme-field")
+    told = keys.locator("input").evaluate_all("(them) => them.map((one) => one.placeholder)")
+    assert [told[0], told[1], told[2], told[-1]] == ["5", "D", "190 N", "against velocity"]
+    for at, value in ((0, "3"), (1, "B"), (2, "190 N")):
+        keys.nth(at).locator("input").fill(value)
+    more.get_by_role("button", name="Add it").click()
+    expect(more.locator(".section-added")).to_have_text(
+        "Added: forces and moments on links, 3, B, 190 N"
+    )
+    expect(more.locator("form")).to_have_count(0)
+    assert scene.read_text("utf-8").count("[[load]]") == 1
+    more.locator("select").first.select_option("load")
+    expect(more.locator("li")).to_have_text(["link = 3, point = B, force = 190 N"])
+    expect(keys.first.locator("input")).to_have_value("")
