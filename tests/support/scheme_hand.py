@@ -79,6 +79,15 @@ class SchemeHand:
         return dict(found)
 
 
+def begun(tab: Tab) -> SchemeHand:
+    """A hand over the scheme of the small scene, as soon as it is there."""
+    hand = SchemeHand.__new__(SchemeHand)
+    hand.tab, hand.page, hand.acts = tab, tab.page, 0
+    hand.whole("I(1) → II(2-3)")
+    hand.box = tab.page.locator(".scheme-paper").bounding_box()
+    return hand
+
+
 def shaper(hand: SchemeHand) -> None:
     """Crank, stone, rocker, rod and ram."""
     hand.drag((330, 150), (400, 200))

@@ -68,7 +68,9 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme save": said("Save as a scene"),
     "scheme title": said("Title"),
     "scheme not whole": said("It is saved when nothing is missing any more."),
-    "scheme changed": said("The file has changed meanwhile: it is shown as it is now."),
+    "scheme changed": said(
+        "The file has changed meanwhile: it is shown as it is now, and this was not done."
+    ),
     "scheme how": said("How it is drawn"),
     "scheme how text": said(
         "Drag on the paper: a link with two pins. What begins or ends on a pin is joined with it, on a bar it "

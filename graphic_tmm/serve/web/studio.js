@@ -3,6 +3,7 @@ import { themeButton } from "../../page/web/theme.js";
 import { Faults } from "./faults.js";
 import { Values } from "./form.js";
 import { PageFrame } from "./frame.js";
+import { agrees } from "./scheme/agrees.js";
 import { Editor } from "./scheme/editor.js";
 import { PhotoCheck } from "./photo-check.js";
 import { Sheets } from "./sheets.js";
@@ -21,6 +22,10 @@ const told = /** @type {HTMLElement} */ (document.getElementById("told"));
 /** Where the way of looking, and the place in the page, are remembered while the page is loaded anew. */
 const MEMORY = `studio ${location.pathname}`;
 const { way = "", place = "" } = remembered();
+
+const OUTDATED = 409;
+/** What a scheme is asked of that is the file's, whatever was known of it. */
+const THE_FILE = { text: "", version: "" };
 
 /** @type {State | null} */
 let state = null;
@@ -89,22 +94,28 @@ function hear(now) {
   tellState();
 }
 
-/** @param {import("./types.js").SchemeAct} act */
+/**
+ * Send an act on the scheme; if the file has changed meanwhile, do it on what the file is now, unless both changed the same.
+ * @param {import("./types.js").SchemeAct} act
+ * @returns {Promise<import("./types.js").SchemeTold>}
+ */
 async function sendScheme(act) {
-  const answer = await schemeAfter("scheme", { ...act, version: schemed });
-  if (answer.status === 409) {
-    schemed = "";
-    loadScheme();
-    return { answer: null, errors: [words["scheme changed"] ?? ""] };
+  const answer = await schemeAfter("scheme", { version: schemed, ...act });
+  if (answer.status !== OUTDATED) {
+    schemed = answer.answer?.version ?? schemed;
+    return answer;
   }
-  if (answer.answer !== null) schemed = answer.answer.version;
-  return answer;
+  const now = await schemeAfter("scheme", { ...THE_FILE, at: scheme.answer?.at ?? null });
+  if (now.answer === null) return now;
+  schemed = now.answer.version;
+  const newer = now.answer;
+  if (!agrees(act, scheme.answer, newer)) return { ...answer, answer: null, errors: [words["scheme changed"] ?? ""], newer };
+  return { newer, ...(await sendScheme({ ...act, text: newer.text ?? "" })) };
 }
 
 /** Show the scheme of the file as it is. */
 function loadScheme() {
-  schemed = "";
-  scheme.begin("", null);
+  void scheme.reload(THE_FILE);
 }
 
 /** @param {boolean} there */
@@ -149,7 +160,7 @@ function look(name) {
   side.hidden = name === "photo" || name === "scheme";
   photo.side.element.hidden = name !== "photo";
   schemeSide.hidden = name !== "scheme";
-  if (name === "scheme" && schemed === "") loadScheme();
+  if (name === "scheme" && (schemed === "" || state?.text_version !== schemed)) loadScheme();
 }
 
 const ways = [

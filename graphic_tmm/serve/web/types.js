@@ -35,8 +35,10 @@
  *   at: number | null, sweep: Sweep | null, fields: SchemeField[], sections: OfferedSection[], errors: string[], turn: Turn | null, shift: [number, number]}} SchemeAnswer
  *   text: the scene, null while something is missing; says: what; shift: of the origin, m
  * @typedef {{text: string, sketch?: Sketch | null, letters?: Record<string, string>, numbers?: Record<string, number>,
- *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number, section?: string}} SchemeAct
- * @typedef {{answer: SchemeAnswer | null, errors: string[], status: number}} SchemeTold status 409: the file has changed
+ *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number, section?: string,
+ *   version?: string, back?: boolean}} SchemeAct back: to the text that was
+ * @typedef {{answer: SchemeAnswer | null, errors: string[], status: number, newer?: SchemeAnswer}} SchemeTold status 409: the file
+ *   has changed; newer: what it was then, before the act was done on that, if it was
  * @typedef {{language: string, words: Words, several: boolean}} DrawingPaper
  * @typedef {{status: number, version: string, errors: Fault[]}} Answer status 0: nothing came back
  */

@@ -146,7 +146,7 @@ async function sendPhoto(address, file, asked) {
 /**
  * Send an act on a scheme.
  * @param {string} address
- * @param {SchemeAct & {version?: string}} act
+ * @param {SchemeAct} act
  * @returns {Promise<SchemeTold>}
  */
 export async function schemeAfter(address, act) {

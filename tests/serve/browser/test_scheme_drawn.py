@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from support import scheme_hand
-from support.scheme_hand import SchemeHand
+from support.scheme_hand import SchemeHand, begun
 from support.served import SMALL
 from support.studios import SIZES, Tab, expect, in_sight, serious, serving
 
@@ -180,15 +180,6 @@ def test_a_phone_draws_too(size: str, gallery: str, tab_of: Callable[..., Tab]) 
     assert in_sight(tab.page) == []
 
 
-def begun(tab: Tab) -> SchemeHand:
-    """A hand over the scheme of the small scene, as soon as it is there."""
-    hand = SchemeHand.__new__(SchemeHand)
-    hand.tab, hand.page, hand.acts = tab, tab.page, 0
-    hand.whole("I(1) → II(2-3)")
-    hand.box = tab.page.locator(".scheme-paper").bounding_box()
-    return hand
-
-
 def test_a_scene_that_is_there_is_drawn_on(scene: Path, tab_of: Callable[..., Tab]) -> None:
     tab = tab_of(f"s/{scene.parent.name}/#scheme")
     hand = begun(tab)
@@ -231,99 +222,3 @@ def test_a_fault_of_the_scene_does_not_dress_the_labels(
     tab.told("Faults: 1")
     assert len(before) > 10
     assert tab.page.evaluate(looks) == before
-
-
-SLOW = """(() => {
-  const sent = window.fetch;
-  window.fetch = async (...asked) => {
-    await new Promise((go) => setTimeout(go, 500));
-    return sent(...asked);
-  };
-})()"""
-"""What lets answers come behind the next value that is typed."""
-
-
-def typed_one_after_another(tab: Tab, values: list[str]) -> None:
-    """Type into field after field as a person does, and wait for nothing."""
-    keys = tab.page.keyboard
-    tab.page.locator(".lengths input").first.focus()
-    keys.press("Control+A")
-    for value in values:
-        keys.type(value, delay=25)
-        keys.press("Tab")
-        tab.page.wait_for_timeout(150)
-    tab.page.locator(".scheme[aria-busy=false]").wait_for()
-
-
-def test_lengths_typed_one_after_another_all_stand(
-    gallery: str, tab_of: Callable[..., Tab]
-) -> None:
-    tab = tab_of("draw", gallery=gallery)
-    hand = SchemeHand(tab)
-    scheme_hand.shaper(hand)
-    tab.page.evaluate(SLOW)
-    # the first makes all larger by half; the others are a little off what they are then
-    first, *others = (float(one.split()[0]) for one in hand.lengths().values())
-    values = [f"{1.5 * first:.4g} mm", *(f"{round(1.5 * one) + 1} mm" for one in others[:-1])]
-    values += ["1 deg", "70 rpm"]
-    assert len(values) == 7
-    typed_one_after_another(tab, values)
-    fields = tab.page.locator(".lengths input, .next input")
-    shown = fields.evaluate_all("(them) => them.map((one) => one.value)")
-    assert shown[:7] == values
-    text = tab.page.evaluate("JSON.parse(sessionStorage.getItem('scheme')).text")
-    assert [one for one in values if f'"{one}"' not in text] == []
-
-
-def test_a_refused_length_takes_nothing_else_back(scene: Path, tab_of: Callable[..., Tab]) -> None:
-    tab = tab_of(f"s/{scene.parent.name}/#scheme")
-    hand = begun(tab)
-    tab.allow("status of 422")
-    tab.page.evaluate(SLOW)
-    typed_one_after_another(tab, ["0.11 m", "5 kg", "1 deg"])
-    assert list(hand.lengths().values()) == ["0.11 m", "5 kg", "1 deg"]
-    wrong = tab.page.locator(".lengths [aria-invalid=true]")
-    expect(wrong).to_have_value("5 kg")
-    expect(tab.page.locator(".scheme-side .wrong")).to_contain_text("AB: ")
-    wanted = SMALL.replace("0.1 m", "0.11 m").replace("0 deg", "1 deg")
-    assert scene.read_text("utf-8") == wanted
-    wrong.press("Escape")
-    assert hand.lengths()["AB"] == "0.3 m"
-    expect(tab.page.locator(".scheme-side .wrong")).to_be_empty()
-
-
-def test_what_is_drawn_behind_a_length_leaves_it(scene: Path, tab_of: Callable[..., Tab]) -> None:
-    tab = tab_of(f"s/{scene.parent.name}/#scheme")
-    hand = begun(tab)
-    (x, y), (u, v) = hand.pin("A"), hand.pin("B")
-    tab.page.evaluate(SLOW)
-    tab.page.locator(".lengths input").nth(1).fill("0.32 m")
-    tab.page.keyboard.press("Enter")
-    hand.take("centre")
-    hand.click(((x + u) / 2, (y + v) / 2))
-    tab.page.locator(".scheme[aria-busy=true]").wait_for()
-    tab.page.locator(".scheme[aria-busy=false]").wait_for()
-    text = scene.read_text("utf-8")
-    assert '"0.32 m"' in text
-    assert "S2 = " in text
-
-
-def test_a_section_is_added_once_and_said(scene: Path, tab_of: Callable[..., Tab]) -> None:
-    tab = tab_of(f"s/{scene.parent.name}/#scheme")
-    begun(tab)
-    more = tab.page.locator(".more")
-    more.locator("select").first.select_option("load")
-    keys = more.locator("form > .scheme-field")
-    told = keys.locator("input").evaluate_all("(them) => them.map((one) => one.placeholder)")
-    assert [told[0], told[1], told[2], told[-1]] == ["5", "D", "190 N", "against velocity"]
-    for at, value in ((0, "3"), (1, "B"), (2, "190 N")):
-        keys.nth(at).locator("input").fill(value)
-    more.get_by_role("button", name="Add it").click()
-    expect(more.locator(".section-added")).to_have_text(
-        "Added: forces and moments on links, 3, B, 190 N"
-    )
-    expect(more.locator("form")).to_have_count(0)
-    assert scene.read_text("utf-8").count("[[load]]") == 1
-    more.locator("select").first.select_option("load")
-    expect(more.locator("li")).to_have_text(["link = 3, point = B, force = 190 N"])
-    expect(keys.first.locator("input")).to_have_value("")

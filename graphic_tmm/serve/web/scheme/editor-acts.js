@@ -71,3 +71,33 @@ export function typeValue(editor, key, value, long) {
 export function addSection(editor, section, typed) {
   return editor.ask(() => ({ section, typed, at: editor.answer?.at ?? null }), () => editor.history.keep(editor.moment));
 }
+
+/**
+ * Take back the last act, when all are answered.
+ * @param {Editor} editor
+ */
+export function takeBack(editor) {
+  editor.queue = editor.queue.then(() => restore(editor, editor.history.back(editor.moment)));
+}
+
+/**
+ * Do again what was taken back.
+ * @param {Editor} editor
+ */
+export function doAgain(editor) {
+  editor.queue = editor.queue.then(() => restore(editor, editor.history.forth(editor.moment)));
+}
+
+/**
+ * @param {Editor} editor
+ * @param {import("./editor.js").Moment | null} moment
+ */
+function restore(editor, moment) {
+  if (moment === null) return;
+  const before = editor.moment;
+  editor.shift([moment.origin[0] - editor.origin[0], moment.origin[1] - editor.origin[1]]);
+  Object.assign(editor, { sketch: moment.sketch, text: moment.text, answer: moment.answer, measured: moment.measured, chosen: {} });
+  editor.changed();
+  const whole = moment.answer !== null && moment.answer.text !== null;
+  void editor.ask(() => (whole ? { at: moment.answer?.at ?? null, back: true } : { sketch: moment.sketch }), () => before);
+}

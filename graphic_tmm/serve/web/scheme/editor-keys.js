@@ -1,5 +1,5 @@
 import { moved } from "./changes.js";
-import { removeChosen, renameLetter, renameLink } from "./editor-acts.js";
+import { doAgain, removeChosen, renameLetter, renameLink, takeBack } from "./editor-acts.js";
 import { letterOf } from "./letters.js";
 import { placeOf } from "./sketch.js";
 
@@ -10,8 +10,8 @@ const TOGETHER = 1500;
 
 /** With Ctrl. @type {Record<string, (editor: Editor, event: KeyboardEvent) => void>} */
 const WITH_CONTROL = {
-  KeyZ: (editor, event) => (event.shiftKey ? editor.forth() : editor.back()),
-  KeyY: (editor) => editor.forth(),
+  KeyZ: (editor, event) => (event.shiftKey ? doAgain(editor) : takeBack(editor)),
+  KeyY: (editor) => doAgain(editor),
   ArrowLeft: nudge,
   ArrowRight: nudge,
   ArrowUp: nudge,

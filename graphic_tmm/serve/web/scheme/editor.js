@@ -29,7 +29,7 @@ const BACK = 200;
 export class Editor {
   /**
    * @param {Words} words
-   * @param {(act: SchemeAct) => Promise<{answer: SchemeAnswer | null, errors: string[]}>} send
+   * @param {(act: SchemeAct) => Promise<import("../types.js").SchemeTold>} send
    * @param {(text: string) => void} tell
    * @param {boolean} fixed
    */
@@ -139,19 +139,33 @@ export class Editor {
     this.waiting += 1;
     this.element.setAttribute("aria-busy", "true");
     const answered = this.queue.then(async () => {
-      const was = before();
+      let was = before();
       const asked = { text: this.text, ...act() };
-      const { answer, errors } = await this.send(asked);
+      const { answer, errors, newer } = await this.send(asked);
       this.waiting -= 1;
       this.element.setAttribute("aria-busy", String(this.waiting > 0));
+      if (newer) was = this.overtaken(newer, was);
       if (answer === null) return this.undone(errors, was, asked.typed !== undefined && asked.section === undefined);
       this.side.refuse([]);
       this.take(answer);
+      this.tell([answer.says, ...answer.errors].filter(Boolean)[0] ?? "");
       done();
       return [];
     });
     this.queue = answered.then(() => {});
     return answered;
+  }
+
+  /**
+   * Return what was before an act if the file was another; what was done on its old text is not taken back over it.
+   * @param {SchemeAnswer} newer
+   * @param {Moment} before
+   */
+  overtaken(newer, before) {
+    const kept = this.history.past.includes(before);
+    const moment = { ...before, sketch: newer.sketch, text: newer.text ?? "", answer: newer };
+    this.history = new History(BACK);
+    return kept ? this.history.keep(moment) : moment;
   }
 
   /**
@@ -164,6 +178,7 @@ export class Editor {
     const says = errors.length > 0 ? errors : [this.say("not sent")];
     this.history.forget(before);
     ({ sketch: this.sketch, text: this.text, answer: this.answer } = before);
+    if (this.answer !== null) this.turning.follow(this.answer);
     this.changed();
     this.tell(says[0] ?? "");
     if (!typed) this.side.refuse(says);
@@ -191,40 +206,34 @@ export class Editor {
     this.turning.follow(answer);
     this.follow();
     this.changed();
-    this.tell([answer.says, ...answer.errors].filter(Boolean)[0] ?? "");
+  }
+
+  /**
+   * Take the scene as its file is now.
+   * @param {Partial<SchemeAct>} file what asks for it
+   */
+  async reload(file) {
+    let { text } = this;
+    this.measured = true;
+    await this.ask(() => ({ ...file, at: this.answer?.at ?? null }), () => {
+      text = this.text;
+      return this.moment;
+    });
+    if (text !== this.text) this.history = new History(BACK);
+    if (text === "" && this.text !== "") this.paper.fit();
+    this.bar.show();
   }
 
   /**
    * Begin with what there is.
    * @param {string} text
-   * @param {Sketch | null} sketch null: as the scene says
+   * @param {Sketch} sketch
    */
   async begin(text, sketch) {
     this.text = text;
-    this.measured = sketch === null;
-    if (sketch !== null) this.sketch = sketch;
-    await this.ask(() => (text !== "" || sketch === null ? {} : { sketch }));
+    this.sketch = sketch;
+    await this.ask(() => (text === "" ? { sketch } : {}));
     if (this.history.past.length === 0 && this.sketch.links.length > 1) this.paper.fit();
-  }
-
-  back() {
-    this.queue = this.queue.then(() => this.restore(this.history.back(this.moment)));
-  }
-
-  forth() {
-    this.queue = this.queue.then(() => this.restore(this.history.forth(this.moment)));
-  }
-
-  /** @param {Moment | null} moment */
-  restore(moment) {
-    if (moment === null) return;
-    const before = this.moment;
-    this.shift([moment.origin[0] - this.origin[0], moment.origin[1] - this.origin[1]]);
-    ({ sketch: this.sketch, text: this.text, answer: this.answer, measured: this.measured } = moment);
-    this.chosen = {};
-    this.changed();
-    const whole = moment.answer !== null && moment.answer.text !== null;
-    void this.ask(() => (whole ? { at: moment.answer?.at ?? null } : { sketch: moment.sketch }), () => before);
   }
 
   cancel() {

@@ -1,5 +1,5 @@
 import { element } from "../../../page/web/dom.js";
-import { removeChosen } from "./editor-acts.js";
+import { doAgain, removeChosen, takeBack } from "./editor-acts.js";
 
 /**
  * The row of tools above the paper.
@@ -45,8 +45,8 @@ export class ToolBar {
         editor.paper.svg.focus({ preventScroll: true });
       });
     }
-    this.put("undo", "M9 7L4 12L9 17M4 12H15A5 5 0 0 1 15 22", editor.say("scheme undo"), () => editor.back(), true);
-    this.put("redo", "M15 7L20 12L15 17M20 12H9A5 5 0 0 0 9 22", editor.say("scheme redo"), () => editor.forth(), true);
+    this.put("undo", "M9 7L4 12L9 17M4 12H15A5 5 0 0 1 15 22", editor.say("scheme undo"), () => takeBack(editor), true);
+    this.put("redo", "M15 7L20 12L15 17M20 12H9A5 5 0 0 0 9 22", editor.say("scheme redo"), () => doAgain(editor), true);
     this.put("delete", "M5 7H19M9 7V4H15V7M7 7L8 21H16L17 7", editor.say("scheme delete"), () => removeChosen(editor), true);
     this.put("whole", "M4 9V4H9M15 4H20V9M20 15V20H15M9 20H4V15", editor.say("whole"), () => editor.paper.fit(), true);
     this.element.append(editor.picture.button);
