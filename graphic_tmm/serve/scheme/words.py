@@ -41,6 +41,8 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme on link": said("on link {number}"),
     "scheme same link": said("These are one pin, or on one link already."),
     "scheme nothing": said("That cannot be done here."),
+    "scheme both on": said("One link has both {a} and {b} ({link}): they cannot become one pin."),
+    "scheme glued": said("Two values stand here: write one, or a blank before the sign of a sum."),
     "scheme not there": said("It cannot be assembled there."),
     "scheme chosen pin": said(
         "{letter} is chosen: drag it, type its letter, or take what it shall be above."

@@ -222,3 +222,14 @@ def test_a_fault_of_the_scene_does_not_dress_the_labels(
     tab.told("Faults: 1")
     assert len(before) > 10
     assert tab.page.evaluate(looks) == before
+
+
+def test_a_pin_dropped_on_one_of_its_own_link_is_said_why(
+    gallery: str, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    hand.drag((250, 250), (400, 250))
+    hand.click((400, 250))
+    hand.drag((400, 250), (250, 250))
+    tab.told("One link has both B and A (1): they cannot become one pin.")

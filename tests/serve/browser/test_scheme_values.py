@@ -179,3 +179,37 @@ def test_a_length_that_was_changed_meanwhile_is_not_overwritten(
     field.press("Escape")
     expect(field).to_have_value("0.35 m")
     assert scene.read_text("utf-8") == other
+
+
+def test_two_values_in_one_field_are_asked_about_and_a_sum_is_taken(
+    scene: Path, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    hand = begun(tab)
+    field = tab.page.locator(".lengths input").nth(1)
+    field.fill("310 mm-11 mm")
+    field.press("Enter")
+    expect(tab.page.locator(".scheme-side .wrong")).to_have_text(
+        "AB: Two values stand here: write one, or a blank before the sign of a sum."
+    )
+    assert scene.read_text("utf-8") == SMALL
+    hand.length("AB", "310 mm + 5 mm")
+    assert '"310 mm + 5 mm"' in scene.read_text("utf-8")
+    expect(tab.page.locator(".scheme-side .wrong")).to_be_empty()
+
+
+def test_a_value_that_was_left_is_taken_back_from_the_paper(
+    scene: Path, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    hand = begun(tab)
+    field = tab.page.locator(".lengths input").nth(1)
+    field.fill("0.32 m")
+    hand.click((300, 100))
+    tab.told("Drawn as the file says.")
+    larger = SMALL.replace("0.3 m", "0.32 m")
+    for keys, text, file in (("z", "0.3 m", SMALL), ("y", "0.32 m", larger)):
+        tab.page.locator(".scheme-paper").press(f"Control+{keys}")
+        expect(field).to_have_value(text)
+        tab.page.locator(".scheme[aria-busy=false]").wait_for()
+        assert scene.read_text("utf-8") == file

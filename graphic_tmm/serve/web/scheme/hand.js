@@ -171,8 +171,21 @@ export class Hand {
     if (meant === null) return editor.changed();
     if (meant.letter === undefined && meant.bar === undefined) return editor.act(moved(editor.sketch, letter, meant.place));
     const made = joined(editor.sketch, letter, targetOf(meant));
-    if (made === null) editor.changed();
-    editor.act(made, { letter: meant.letter ?? letter });
+    if (made !== null) return editor.act(made, { letter: meant.letter ?? letter });
+    editor.changed();
+    editor.tell(this.apart(letter, meant.letter ?? ""));
+  }
+
+  /**
+   * Why two pins cannot become one.
+   * @param {string} a
+   * @param {string} b
+   */
+  apart(a, b) {
+    const { sketch } = this.editor;
+    const body = bodiesAt(sketch, a).find((one) => one.points.includes(b));
+    const link = body === undefined || body === frameOf(sketch) ? this.editor.say("scheme frame") : body.number;
+    return this.editor.say("scheme both on", { a, b, link });
   }
 
   /** @param {Meant} meant */

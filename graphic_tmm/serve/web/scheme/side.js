@@ -12,6 +12,10 @@ import { bodiesAt, bodyOf, frameOf } from "./sketch.js";
  * @typedef {import("./editor.js").Editor} Editor
  */
 
+/** One quantity, and two of one unit with no blank between: the second was typed behind the first, and for it. */
+const PLAIN = /^[+\-−]?[\d.,]+\s*\p{L}*$/u;
+const GLUED = /\d\s*(\p{L}+)[+\-−][\d.,]+\s*\1\s*$/u;
+
 export class Side {
   /** @param {Editor} editor */
   constructor(editor) {
@@ -133,6 +137,7 @@ export class Side {
     const { editor } = this;
     const { field } = row;
     const value = row.input.value;
+    if (PLAIN.test(field.text) && GLUED.test(value)) return row.refuse([editor.say("scheme glued")]);
     const send = (/** @type {string} */ key) => void row.send(typeValue(editor, key, value, field.kind === "length"));
     if (field.name === "") return send(field.key);
     const question = element("p", { class: "question", role: "alert" }, editor.say("scheme named", { name: field.text }), " ");
