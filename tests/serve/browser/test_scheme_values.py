@@ -213,3 +213,22 @@ def test_a_value_that_was_left_is_taken_back_from_the_paper(
         expect(field).to_have_value(text)
         tab.page.locator(".scheme[aria-busy=false]").wait_for()
         assert scene.read_text("utf-8") == file
+
+
+def test_what_is_asked_of_a_named_length_waits(scene: Path, tab_of: Callable[..., Tab]) -> None:
+    named = SMALL.replace('A = ["0.1 m", 0]', 'A = ["l", 0]').replace(
+        "[frame]", "[lengths]\n[frame]"
+    )
+    named = named.replace("[lengths]", '[lengths]\nl = "0.1 m"').replace(
+        'B = ["0.3 m"', 'B = ["3*l"'
+    )
+    scene.write_text(named, encoding="utf-8")
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    hand = begun(tab)
+    typed_one_after_another(tab, ["0.12 m", "0.4 m"])
+    assert list(hand.lengths().values())[:2] == ["0.12 m", "0.4 m"]
+    assert scene.read_text("utf-8") == named.replace("3*l", "0.4 m")
+    tab.page.get_by_role("button", name="here alone").click()
+    expect(tab.page.locator(".question")).to_have_count(0)
+    tab.page.locator(".scheme[aria-busy=false]").wait_for()
+    assert 'A = ["0.12 m", 0]' in scene.read_text("utf-8")
