@@ -47,36 +47,7 @@ speed = "10 rad/s"
 turns = "clockwise"
 at = "120 deg"
 """
-NARROW = """
-title = "Narrow"
-language = "en"
-[frame]
-A = [-3.74, -2.41]
-G = [7.32, -3.51]
-[[link]]
-number = 1
-points = { A = [0, 0], B = [3.47324, 0] }
-[[link]]
-number = 2
-points = { B = [0, 0], C = [4.326708, 0], D = [2.120781, 3.355993] }
-side = "left of BG"
-[[link]]
-number = 3
-points = { G = [0, 0], C = [6.962126, 0], F = [3.206147, -6.119855] }
-[[link]]
-number = 4
-points = { D = [0, 0], E = [5.476532, 0] }
-side = "left of DF"
-[[link]]
-number = 5
-points = { F = [0, 0], E = [3.633896, 0] }
-[drive]
-link = 1
-speed = 1
-from = "68 deg"
-to = "78 deg"
-positions = 6
-"""
+NARROW = f'{driven_scenes.NARROW}from = "68 deg"\nto = "78 deg"\npositions = 6\n'
 
 
 def test_a_cylinder_drives_a_boom() -> None:

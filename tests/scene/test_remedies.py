@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from support.boards import in_usual_size
 from support.declared_keys import ALL
+from support.driven_scenes import NARROW
 from support.refusals import SCENE
 from support.scenes import slider_crank
 from support.wrong_scenes import CASES
@@ -179,32 +180,6 @@ def test_every_remedy_that_is_printed_helps(provoked: list[tuple[str, str, str, 
     assert not bad, "\n".join(map(str, bad))
 
 
-NARROW = """title = "Narrow"
-language = "en"
-[frame]
-A = [-3.74, -2.41]
-G = [7.32, -3.51]
-[[link]]
-number = 1
-points = { A = [0, 0], B = [3.47324, 0] }
-[[link]]
-number = 2
-points = { B = [0, 0], C = [4.326708, 0], D = [2.120781, 3.355993] }
-side = "left of BG"
-[[link]]
-number = 3
-points = { G = [0, 0], C = [6.962126, 0], F = [3.206147, -6.119855] }
-[[link]]
-number = 4
-points = { D = [0, 0], E = [5.476532, 0] }
-side = "left of DF"
-[[link]]
-number = 5
-points = { F = [0, 0], E = [3.633896, 0] }
-[drive]
-link = 1
-speed = 1
-"""
 ROD = slider_crank(
     "speed = 10\n[effects]\ngravity = true\n[forces]\npositions = [1]\n",
     of_rod='mass = "2 kg"\nrod = "0.35 m"\n',

@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from support.driven_scenes import NARROW
 from support.gallery import SHEETS
 from support.strangers import FILES
 
@@ -25,31 +26,6 @@ NAMES = [file.parent.name for file in SCENES]
 DRAWN = 150.0
 """mm that a drawing is wide; a hand clicks with an error of `HAND` mm (standard deviation)."""
 HAND = 0.5
-
-# from 67.3 to 78.3 and from 270.4 to 281.4 degrees only
-NARROW = """title = "Narrow"
-language = "en"
-frame = { A = [-3.74, -2.41], G = [7.32, -3.51] }
-drive = { link = 1, speed = 1, positions = 12 }
-
-[[link]]
-number = 1
-points = { A = [0, 0], B = [3.47324, 0] }
-[[link]]
-number = 2
-points = { B = [0, 0], C = [4.326708, 0], D = [2.120781, 3.355993] }
-side = "left of BG"
-[[link]]
-number = 3
-points = { G = [0, 0], C = [6.962126, 0], F = [3.206147, -6.119855] }
-[[link]]
-number = 4
-points = { D = [0, 0], E = [5.476532, 0] }
-side = "left of DF"
-[[link]]
-number = 5
-points = { F = [0, 0], E = [3.633896, 0] }
-"""
 
 
 def shown(file: Path, **asked: Any) -> dict[str, Any]:

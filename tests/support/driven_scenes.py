@@ -74,3 +74,32 @@ TORQUE = '[[load]]\nlink = 3\nmoment = "10 N*m"\n[forces]\npositions = [1]\n'
 def scene(text: str, drive: str, loaded: str = "") -> Scene:
     """Return a scene with what is driven, and keys of the boom."""
     return graphic_tmm.read(text.format(drive=drive, loaded=loaded))
+
+
+NARROW = """title = "Narrow"
+language = "en"
+[frame]
+A = [-3.74, -2.41]
+G = [7.32, -3.51]
+[[link]]
+number = 1
+points = { A = [0, 0], B = [3.47324, 0] }
+[[link]]
+number = 2
+points = { B = [0, 0], C = [4.326708, 0], D = [2.120781, 3.355993] }
+side = "left of BG"
+[[link]]
+number = 3
+points = { G = [0, 0], C = [6.962126, 0], F = [3.206147, -6.119855] }
+[[link]]
+number = 4
+points = { D = [0, 0], E = [5.476532, 0] }
+side = "left of DF"
+[[link]]
+number = 5
+points = { F = [0, 0], E = [3.633896, 0] }
+[drive]
+link = 1
+speed = 1
+"""
+"""It can be assembled from 67.3 to 78.3 and from 270.4 to 281.4 degrees of its crank only."""
