@@ -32,7 +32,8 @@ class Field(NamedTuple):
     """A value that may be set.
 
     ``path``: in the parsed document; ``key``: as people write it. ``text``: what the file has, "" where it has
-    nothing (``written`` is False then); ``in_quotes``: it is a text there. ``unit``: what is wanted, in words.
+    nothing (``written`` is False then); ``in_quotes``: it is a text there. ``unit``: what is wanted, in words;
+    ``dimension``: as units have it.
     ``kind``: "quantity", "number", "switch", "choice" (one of ``choices``), "list", "text", or "other".
     ``default``: what holds where nothing is written, "" for none. ``wanted``: it has to be written.
     """
@@ -49,6 +50,7 @@ class Field(NamedTuple):
     default: str = ""
     says: str = ""
     wanted: bool = False
+    dimension: str = ""
 
 
 def blank(sort: Sort | None, declared: Key | None) -> Field:
@@ -58,6 +60,7 @@ def blank(sort: Sort | None, declared: Key | None) -> Field:
     if kind is not None:
         form, choices = _form_of(kind)
     made = Field((), "", "", "", False, False, form, _unit(kind) if kind else "", choices)
+    made = made._replace(dimension=kind.unit if kind else "")
     if declared is None:
         return made
     wanted = declared.default is MISSING

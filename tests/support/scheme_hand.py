@@ -58,8 +58,8 @@ class SchemeHand:
         """Wait until nothing is missing."""
         expect(self.page.locator(".formula")).to_have_text(formula)
 
-    def length(self, label: str, text: str) -> None:
-        """Type a length."""
+    def length(self, label: str, text: str, shows: str = "") -> None:
+        """Type a length; ``shows``: what stands in its field then, if not that."""
         row = self.page.locator(".scheme-field").filter(
             has=self.page.get_by_text(label, exact=True)
         )
@@ -67,7 +67,7 @@ class SchemeHand:
         field.fill(text)
         field.press("Enter")
         self.page.locator(".scheme[aria-busy=false]").wait_for()
-        expect(field).to_have_value(text)
+        expect(field).to_have_value(shows or text)
 
     def lengths(self) -> dict[str, str]:
         """The lengths as they are shown."""

@@ -41,6 +41,7 @@ from graphic_tmm.serve.scheme.sketches import (
     sketch_of,
 )
 from graphic_tmm.serve.scheme.standing import Standing, standing_of
+from graphic_tmm.serve.scheme.units import with_unit
 from graphic_tmm.serve.scheme.written import origin_of, positions_scene, scene_text
 
 MOST_PLACES = 720
@@ -85,6 +86,8 @@ def scheme(
     """
     text, doc = parsed(_renamed(data, asked, file), file) if data else ("", _begun(speech))
     shift = 0j
+    if asked.typed and not asked.section:
+        asked = asked._replace(typed=_with_units(asked.typed, text, doc, file))
     if asked.sketch is not None:
         sketch = _scaled(asked, text, file) if asked.scale else asked.sketch
         stands = standing_of(sketch, doc)
@@ -152,6 +155,17 @@ def drawing_of(told: Mapping[str, Any]) -> SchemeAct | None:
 def _begun(speech: Speech) -> Document:
     """Return what a scene says before anything is drawn."""
     return {"title": speech(said("Mechanism")), "language": speech.language}
+
+
+def _with_units(
+    typed: Mapping[str, str], text: str, doc: Document, file: File
+) -> Mapping[str, str]:
+    """Return values as they were typed, bare numbers with the units that their fields have."""
+    fields = {one.key: one for group in form(text.encode(), file) for one in group.fields}
+    return {
+        key: with_unit(value, fields[key], doc) if key in fields else value
+        for key, value in typed.items()
+    }
 
 
 def _scaled(asked: SchemeAct, text: str, file: File) -> Sketch:

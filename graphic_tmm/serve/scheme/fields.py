@@ -9,11 +9,14 @@ from typing import Any
 
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.moved import uses
 from graphic_tmm.scene.sections import LENGTHS
+from graphic_tmm.scene.units import plain_unit
 from graphic_tmm.serve.form import Field, choices_in, form
+from graphic_tmm.serve.scheme.units import own_unit, unit_of
 
 OF_LINKS = ("name", "mass", "J")
 OF_DRIVE = ("speed", "turns", "from", "to", "positions", "accelerations")
@@ -51,6 +54,9 @@ def _json(
         "name": f"{LENGTHS}.{field.text}" if named else "",
         "choices": choices_in(field, speech.language),
         "placeholder": field.default,
+        "unit": ""
+        if own_unit(field.text)
+        else unit(plain_unit(unit_of(field, doc)), speech.language),
         "says": speech(field.says),
     }
 

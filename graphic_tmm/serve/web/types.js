@@ -26,7 +26,8 @@
  *   marks: {x: number, y: number, text: string, verdict: string}[]}} Checked page: the hash of its report
  * @typedef {import("./scheme/sketch.js").Sketch} Sketch
  * @typedef {{key: string, kind: string, label: string, text: string, link: number | null, name: string,
- *   choices: string[], placeholder: string, says: string}} SchemeField link: whose it is; name: of a length used elsewhere, too
+ *   choices: string[], placeholder: string, unit: string, says: string}} SchemeField link: whose it is; name: of a length used elsewhere, too;
+ *   unit: that a bare number has where the text has none
  * @typedef {{name: string, says: string, choices: string[], example: string, wanted: boolean}} SectionKey
  * @typedef {{name: string, says: string, keys: SectionKey[], there: string[]}} OfferedSection there: those of it that the scene has
  * @typedef {{letter: string, unit: string, low: number, high: number, closed: boolean}} Sweep what a drive goes through

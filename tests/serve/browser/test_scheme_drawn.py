@@ -59,6 +59,11 @@ def test_an_empty_folder_begins_with_a_scheme_and_ends_with_sheets(
         tab.page.locator(".scheme-save button").click()
         tab.page.wait_for_url("**/s/slotting-machine-1-x/#scheme")
         hand.whole("I(1) → II(2-3) → II(4-5)")
+        unit = "(one) => getComputedStyle(one, '::after').content"
+        label = tab.page.get_by_text("its angular speed", exact=True)
+        assert "rad/s" in label.evaluate(unit)
+        hand.length("its angular speed", "60", shows="60 rad/s")
+        assert "rad/s" not in label.evaluate(unit)
         hand.length("its angular speed", "60 rpm")
         tab.page.get_by_role("tab", name="Sheets").click()
         tab.shown()

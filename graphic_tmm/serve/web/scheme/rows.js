@@ -53,6 +53,9 @@ export class Row {
     this.field = field;
     this.label.textContent = field.label;
     this.label.title = field.says;
+    // the sheet of styles writes it behind the label
+    if (field.unit === "") delete this.label.dataset["unit"];
+    else this.label.dataset["unit"] = field.unit;
     this.input.placeholder = field.placeholder;
     if (this.waiting > 0) return;
     this.sent = field.text;
