@@ -85,7 +85,8 @@ def renumbered(text: str, old: int, new: int) -> str:
 def exchanged(text: str, one: int | str, other: int | str) -> str:
     """Return a scene's text in which two links have each other's numbers, or two points each other's letters.
 
-    Of a name that is free as `renumbered` and `relettered`.
+    Where the text has one alone, that gets the other name, as `renumbered` and `relettered`; a text that has
+    neither stays: they are of what is drawn and no scene yet.
 
     Raises
     ------
@@ -93,13 +94,17 @@ def exchanged(text: str, one: int | str, other: int | str) -> str:
         As they do.
     """
     doc = tomllib.loads(text.removeprefix(MARK))
+    points, guides = _letters(doc)
+    there = outline(doc).bodies if isinstance(one, int) else (*points, *guides)
+    if one not in there:
+        one, other = other, one
+    if one not in there:
+        return text
     if isinstance(one, int):
-        bodies = outline(doc).bodies
-        both = one in bodies and other in bodies
+        both = other in there
         return (
             _renamed(text, {one: other, other: one}) if both else renumbered(text, one, int(other))
         )
-    points, guides = _letters(doc)
     if one == other or not (one in points and other in points):
         return relettered(text, one, str(other))
     # a table cannot have a key twice, not even for a moment

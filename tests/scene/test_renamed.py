@@ -79,6 +79,13 @@ def test_two_letters_are_exchanged_wherever_they_stand(name: str) -> None:
         assert places(new, {one: other, other: one}) == pytest.approx(was, nan_ok=True)
 
 
+def test_what_stands_in_the_text_alone_gets_the_other_name() -> None:
+    text = text_of("crank-rocker")
+    assert exchanged(text, "K", "A") == exchanged(text, "A", "K") == relettered(text, "A", "K")
+    assert exchanged(text, 9, 2) == exchanged(text, 2, 9) == renumbered(text, 2, 9)
+    assert exchanged(text, "K", "L") == exchanged(text, 8, 9) == text
+
+
 def kinds(sort: Sort) -> Iterator[Kind]:
     if isinstance(sort, Kind):
         yield sort

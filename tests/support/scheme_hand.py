@@ -12,10 +12,15 @@ Spot = tuple[float, float]
 class SchemeHand:
     """What a person does on the paper, at spots in dots from its upper left corner."""
 
-    def __init__(self, tab: Tab) -> None:
+    def __init__(self, tab: Tab, begins: str = "Draw a link") -> None:
         self.tab, self.page, self.acts = tab, tab.page, 0
-        self.says("Draw a link")
+        self.says(begins)
         self.box: Any = self.page.locator(".scheme-paper").bounding_box()
+
+    @classmethod
+    def there(cls, tab: Tab) -> SchemeHand:
+        """A hand at a mechanism that is there."""
+        return cls(tab, "W = 1")
 
     def says(self, text: str) -> None:
         """Wait until the line of the structure says something."""
@@ -81,10 +86,8 @@ class SchemeHand:
 
 def begun(tab: Tab) -> SchemeHand:
     """A hand over the scheme of the small scene, as soon as it is there."""
-    hand = SchemeHand.__new__(SchemeHand)
-    hand.tab, hand.page, hand.acts = tab, tab.page, 0
+    hand = SchemeHand.there(tab)
     hand.whole("I(1) → II(2-3)")
-    hand.box = tab.page.locator(".scheme-paper").bounding_box()
     return hand
 
 

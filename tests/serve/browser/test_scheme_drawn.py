@@ -185,6 +185,45 @@ def test_a_phone_draws_too(size: str, gallery: str, tab_of: Callable[..., Tab]) 
     assert in_sight(tab.page) == []
 
 
+def test_letters_that_look_alike_are_one(gallery: str, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    letters = tab.page.locator(".scheme-paper text.letter")
+    field = tab.page.locator("[data-key=letter]")
+    hand.drag((250, 250), (300, 320))
+    hand.click((300, 320))
+    for typed, known in (
+        ("\N{CYRILLIC CAPITAL LETTER ES}", "C"),
+        ("\N{CYRILLIC CAPITAL LETTER A}", "A"),
+    ):
+        field.fill(typed)
+        field.press("Enter")
+        expect(field).to_have_value(known)
+    expect(letters).to_have_text(["C", "A"])  # the pin that was A has the other's
+    hand.drag((400, 100), (500, 100))
+    expect(letters).to_have_text(["C", "A", "B", "D"])
+
+
+def test_a_new_letter_looks_as_none_of_a_file(scene: Path, tab_of: Callable[..., Tab]) -> None:
+    alike = {"A =": '"\N{CYRILLIC CAPITAL LETTER A}" =', "B =": '"\N{CYRILLIC CAPITAL LETTER VE}" ='}
+    for one, other in alike.items():
+        scene.write_text(scene.read_text("utf-8").replace(one, other), "utf-8")
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    hand = SchemeHand.there(tab)
+    hand.whole("I(1) → II(2-3)")
+    hand.drag((40, 40), (80, 60))
+    letters = tab.page.locator(".scheme-paper text.letter")
+    expect(letters.filter(has_text="C")).to_have_count(1)
+    expect(letters.filter(has_text="D")).to_have_count(1)
+    # a pin that the file has not yet gets the letter of one that it has
+    hand.click(hand.pin("D"))
+    field = tab.page.locator("[data-key=letter]")
+    field.fill("A")
+    field.press("Enter")
+    expect(field).to_have_value("\N{CYRILLIC CAPITAL LETTER A}")
+    expect(letters.filter(has_text="D")).to_have_count(1)
+
+
 def test_a_scene_that_is_there_is_drawn_on(scene: Path, tab_of: Callable[..., Tab]) -> None:
     tab = tab_of(f"s/{scene.parent.name}/#scheme")
     hand = begun(tab)

@@ -6,6 +6,7 @@ import {
   frameOf,
   freeGuide,
   freeNumber,
+  isFree,
   minus,
   placeOf,
   stonesAt,
@@ -87,7 +88,7 @@ export function pinned(sketch, number, target) {
  * @returns {Sketch}
  */
 export function supported(sketch, letter) {
-  const first = frameOf(sketch).points.length === 0 && FIRST.includes(letter) && !(ORIGIN in sketch.places);
+  const first = frameOf(sketch).points.length === 0 && FIRST.includes(letter) && isFree(sketch, ORIGIN);
   if (first) return supported(withOrigin(sketch, letter), ORIGIN);
   const made = copyOf(sketch);
   const frame = frameOf(made);
@@ -203,7 +204,7 @@ export function centred(sketch, number, place) {
   if (body === undefined || body === frameOf(made)) return null;
   const letter = body.centre ?? `S${number}`;
   if (!body.points.includes(letter)) {
-    if (letter in made.places) return null;
+    if (!isFree(made, letter)) return null;
     body.points.push(letter);
     body.centre = letter;
   }

@@ -1,4 +1,5 @@
 import * as changes from "./changes.js";
+import { letterMeant } from "./letters.js";
 import { frameOf, sizeOf } from "./sketch.js";
 
 /**
@@ -21,9 +22,10 @@ export function removeChosen(editor) {
  * Call a pin by another letter.
  * @param {Editor} editor
  * @param {string} from
- * @param {string} to
+ * @param {string} typed
  */
-export function renameLetter(editor, from, to) {
+export function renameLetter(editor, from, typed) {
+  const to = letterMeant(Object.keys(editor.sketch.places).filter((one) => one !== from), typed);
   const made = changes.relettered(editor.sketch, from, to);
   if (made !== null) editor.act(made, { letter: to }, { letters: { [from]: to } });
 }

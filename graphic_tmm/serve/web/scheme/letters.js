@@ -1,5 +1,32 @@
-/** Russian letters that look as Latin ones do: who types one means the letter that he sees on the task. */
-const ALIKE = new Map([..."АВЕКМНОРСТУХ"].map((one, k) => [one, "ABEKMHOPCTYX"[k] ?? one]));
+/** Letters of other alphabets that look as Latin ones do: who types one means the letter that he sees on the task. */
+const ALIKE = new Map([..."АВЕКМНОРСТУХаеорсухΑΒΕΖΗΙΚΜΝΟΡΤΥΧο"].map((one, k) => [one, "ABEKMHOPCTYXaeopcyxABEZHIKMNOPTYXo"[k] ?? one]));
+
+/**
+ * Return a letter with Latin ones for those that look so.
+ * @param {string} letter
+ */
+function latin(letter) {
+  return [...letter].map((one) => ALIKE.get(one) ?? one).join("");
+}
+
+/**
+ * Return the letter that looks as another does on a plan, which writes small ones; undefined if none does.
+ * @param {Iterable<string>} letters
+ * @param {string} letter
+ */
+export function alike(letters, letter) {
+  const looks = (/** @type {string} */ one) => latin(one).toLowerCase();
+  return [...letters].find((one) => looks(one) === looks(letter));
+}
+
+/**
+ * Return the letter that is meant by what was typed for a pin: the one that a pin has which looks so, else in Latin.
+ * @param {Iterable<string>} letters of other pins
+ * @param {string} typed
+ */
+export function letterMeant(letters, typed) {
+  return alike(letters, typed) ?? latin(typed);
+}
 
 /**
  * Return the letter of a pin that a key means, in any layout; "" if it means none.

@@ -1,3 +1,5 @@
+import { alike } from "./letters.js";
+
 /**
  * A mechanism as it lies on the paper, and what is asked of it; nothing here changes one.
  *
@@ -75,14 +77,22 @@ export function cornersOf(sketch, body) {
 }
 
 /**
+ * Tell whether no pin has a letter, or one that looks as it does.
+ * @param {Sketch} sketch
+ * @param {string} letter
+ */
+export function isFree(sketch, letter) {
+  return alike(Object.keys(sketch.places), letter) === undefined;
+}
+
+/**
  * Return a letter that no pin has.
  * @param {Sketch} sketch
  */
 export function freeLetter(sketch) {
-  const taken = sketch.places;
-  const plain = [...LETTERS].find((one) => !(one in taken));
+  const plain = [...LETTERS].find((one) => isFree(sketch, one));
   if (plain !== undefined) return plain;
-  for (let k = 1; ; k += 1) if (!(`A${k}` in taken)) return `A${k}`;
+  for (let k = 1; ; k += 1) if (isFree(sketch, `A${k}`)) return `A${k}`;
 }
 
 /**
