@@ -273,7 +273,9 @@ def with_table(text: str, section: str, table: dict[str, Any], *, several: bool)
     begin = min((begin for begin, _ in blocks.values()), default=len(text))
     at = max(ends, default=begin)
     name = key_text(section)
-    wide = max(map(len, table)) if _has_columns(section) and _in_columns(text, there) else 0
+    wide = (
+        max(map(len, table), default=0) if _has_columns(section) and _in_columns(text, there) else 0
+    )
     lines = [f"[[{name}]]" if several else f"[{name}]"]
     lines += [f"{key_text(key):<{wide}} = {toml(value)}" for key, value in table.items()]
     block = "".join(line + newline for line in lines)

@@ -241,6 +241,30 @@ def test_a_bare_number_has_the_unit_of_its_field(
     assert shown_now[label] == holds
 
 
+def test_a_slider_that_weighs_has_its_centre_at_its_pin() -> None:
+    file = Path("scheme.toml")
+    text = scheme(b"", file, SchemeAct(sketch=crank_and_slider()), EN)["text"]
+    made = scheme(text.encode(), file, SchemeAct(typed={"link 3, mass": "3"}), EN)
+    assert 'mass   = "3 kg"\ncentre = "B"\n' in made["text"]
+    assert made["says"] == ""
+    again = scheme(made["text"].encode(), file, SchemeAct(typed={"link 2, mass": "2"}), EN)
+    assert "centre" not in again["text"].replace('centre = "B"', "")
+    assert again["says"] == "link 2 has a mass, but no mass centre: put it by the tool"
+
+
+def test_a_mass_centre_that_is_put_taken_elsewhere_or_away_is_so_in_the_scene() -> None:
+    file = SHEETS / "crank-rocker" / "scene.toml"
+    sketch = shown(file)["sketch"]
+    links = {one["number"]: one for one in sketch["links"]}
+    links[2]["centre"] = "A"
+    assert 'centre = "A"' in shown(file, sketch=sketch)["text"]
+    links[2]["points"].remove("S2")
+    del sketch["places"]["S2"], links[2]["centre"]
+    made = shown(file, sketch=sketch)
+    assert "S2" not in made["text"]
+    assert made["says"] == "link 2: E is taken as its mass centre; put it elsewhere by the tool"
+
+
 def test_what_a_bare_number_is_in_is_taken_from_what_is_written() -> None:
     field = blank(quantity("length"), None)._replace(in_quotes=True)
     named = field._replace(text="AB")
@@ -353,6 +377,8 @@ def test_what_the_task_gives_besides_is_added() -> None:
     assert judged(made["text"].encode(), file).doc["load"][0]["direction"] == "-90 deg"
     with pytest.raises(TmmError, match="12 mm"):
         shown(file, section="load", typed={**typed, "force": "12 mm"})
+    bare = shown(file, section="effects", typed={})
+    assert "\n[effects]\n" in bare["text"]
     with pytest.raises(TmmError, match="no such section"):
         shown(file, section="frame", typed={})
 

@@ -87,7 +87,7 @@ def scheme(
     text, doc = parsed(_renamed(data, asked, file), file) if data else ("", _begun(speech))
     shift = 0j
     if asked.typed and not asked.section:
-        asked = asked._replace(typed=_with_units(asked.typed, text, doc, file))
+        asked = asked._replace(typed=_completed(asked.typed, text, doc, file))
     if asked.sketch is not None:
         sketch = _scaled(asked, text, file) if asked.scale else asked.sketch
         stands = standing_of(sketch, doc)
@@ -97,7 +97,7 @@ def scheme(
             shift = origin_of(stands)
             sketch = shifted(sketch, shift)
             stands = standing_of(sketch, doc)
-        text = scene_text(text, doc, stands, file)
+        text = scene_text(text, doc, sketch, stands, file)
         asked = asked._replace(at=stands.at)
     if asked.section:
         text = with_section(text, asked.section, asked.typed, file, speech)
@@ -157,15 +157,23 @@ def _begun(speech: Speech) -> Document:
     return {"title": speech(said("Mechanism")), "language": speech.language}
 
 
-def _with_units(
-    typed: Mapping[str, str], text: str, doc: Document, file: File
-) -> Mapping[str, str]:
-    """Return values as they were typed, bare numbers with the units that their fields have."""
+def _completed(typed: Mapping[str, str], text: str, doc: Document, file: File) -> Mapping[str, str]:
+    """Return values as they were typed with what goes without saying.
+
+    A bare number has the unit of its field; what weighs and has one point has its mass centre there.
+    """
     fields = {one.key: one for group in form(text.encode(), file) for one in group.fields}
-    return {
-        key: with_unit(value, fields[key], doc) if key in fields else value
-        for key, value in typed.items()
-    }
+    whole = dict(typed)
+    for key, value in typed.items():
+        if key not in fields:
+            continue
+        whole[key] = with_unit(value, fields[key], doc)
+        match fields[key].path:
+            case ("link", int(k), "mass") if value.strip():
+                points = list(doc["link"][k].get("points", ()))
+                if len(points) == 1 and "centre" not in doc["link"][k]:
+                    whole[key.removesuffix("mass") + "centre"] = points[0]
+    return whole
 
 
 def _scaled(asked: SchemeAct, text: str, file: File) -> Sketch:
@@ -223,12 +231,16 @@ def _begins(of: Recorded, scene: Scene) -> float:
 
 
 def _centres(mechanism: Mechanism, doc: Document) -> Said | str:
-    """Return what is said of mass centres that nobody has named."""
+    """Return what is said of a mass whose centre nobody has named."""
     named = {one["number"] for one in doc["link"] if "centre" in one}
-    weighs = [one for one in mechanism.links if one.mass and one.number not in named and one.centre]
+    weighs = [one for one in mechanism.links if one.mass and one.number not in named]
     if not weighs:
         return ""
-    link = weighs[0]
+    link = min(weighs, key=lambda one: one.centre is not None)
+    if link.centre is None:
+        return said(
+            "link {number} has a mass, but no mass centre: put it by the tool", number=link.number
+        )
     return said(
         "link {number}: {letter} is taken as its mass centre; put it elsewhere by the tool",
         number=link.number,

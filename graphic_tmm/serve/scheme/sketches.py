@@ -103,6 +103,20 @@ def lying_document(sketch: Sketch, like: Document) -> Document:
     return {**like, "frame": fixed, "link": told}
 
 
+def with_centres(doc: Document, sketch: Sketch) -> Document:
+    """Return a scene whose links have the mass centres of a sketch; none of a point that is gone."""
+    drawn = {one["number"]: one for one in sketch["links"]}
+    links = []
+    for link in doc.get("link", ()):
+        now = drawn.get(link.get("number"), {})
+        if now.get("centre"):
+            link = {**link, "centre": now["centre"]}
+        elif now and "centre" in link and link["centre"] not in now["points"]:
+            link = {key: value for key, value in link.items() if key != "centre"}
+        links.append(link)
+    return {**doc, "link": links} if links else doc
+
+
 def _from_pivot(link: Sketch, frame: Sketch) -> Sketch:
     """Return a link whose letters begin with its pivot, where its own axes begin."""
     letters = sorted(link["points"], key=lambda letter: letter not in frame["points"])

@@ -34,8 +34,11 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme do stone": said("Click the pin of the stone."),
     "scheme stone bar": said("Click the bar along which the stone slides."),
     "scheme do cylinder": said("Drag from the pivot of the cylinder to the pin of its rod."),
-    "scheme do point": said("Choose a link first; then click where its point is."),
-    "scheme do centre": said("Click the link where its mass centre is."),
+    "scheme do point": said("Click the link that gets a point; then where its point is."),
+    "scheme point place": said("Click where the point of link {number} is."),
+    "scheme do centre": said(
+        "Click the link where its mass centre is; a slider has it at its pin."
+    ),
     "scheme do drive": said("Click the link that is driven."),
     "scheme joined": said("joined with {letter}"),
     "scheme on link": said("on link {number}"),
@@ -58,6 +61,9 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme letter": said("Letter", context="of a pin"),
     "scheme number": said("Number", context="of a link"),
     "scheme lengths": said("Lengths"),
+    "scheme scaled": said(
+        "The drawing was scaled to {length} = {text}: other lengths went with it."
+    ),
     "scheme next": said("What the task gives next"),
     "scheme named": said("{name} stands in several places: change it"),
     "scheme add": said("Add what the task gives besides …"),

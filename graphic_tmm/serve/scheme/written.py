@@ -16,6 +16,7 @@ from graphic_tmm.scene.mechanism import Joints
 from graphic_tmm.scene.moved import rewritten
 from graphic_tmm.scene.read import understood
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.serve.scheme.sketches import Sketch, with_centres
 from graphic_tmm.serve.scheme.standing import Standing, drive_table
 
 STEP, SMALL = 1e-3, 1e-4
@@ -29,7 +30,7 @@ BARE = ("task", "lengths", "frame", "joints", "link", "drive")
 """The sections that say where everything lies."""
 
 
-def scene_text(text: str, doc: Document, stands: Standing, file: File) -> str:
+def scene_text(text: str, doc: Document, sketch: Sketch, stands: Standing, file: File) -> str:
     """Return the text of a scene whose mechanism lies so: new where there was none."""
     lies, driven, at = stands.lies, stands.driven, stands.at
     assert lies is not None
@@ -45,7 +46,7 @@ def scene_text(text: str, doc: Document, stands: Standing, file: File) -> str:
     hand = Joints(to=STEP if size > TINY else SMALL, near=NEAR * size)
     way = {} if driven.pair.kind == "R" else _way(doc, at, size)
     drive = drive_table(doc, lies.drive.link, way)
-    tables = {**tables_of(mechanism, hand, doc, lies), "drive": drive}
+    tables = {**tables_of(mechanism, hand, with_centres(doc, sketch), lies), "drive": drive}
     return rewritten(text or _head(doc), tables)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -126,6 +127,7 @@ def test_what_was_done_is_taken_back_and_done_again(
     scheme_hand.crank_rocker(hand)
     before = hand.lengths()
     hand.length("OA", "40 mm")
+    tab.told("The drawing was scaled to OA = 40 mm: other lengths went with it.")
     larger = hand.lengths()
     assert float(larger["AB"].split()[0]) < float(before["AB"].split()[0])
     tab.page.locator("[data-tool=undo]").click()
@@ -185,6 +187,55 @@ def test_a_phone_draws_too(size: str, gallery: str, tab_of: Callable[..., Tab]) 
     assert in_sight(tab.page) == []
 
 
+def test_a_tool_waits_until_it_has_done_something(gallery: str, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    armed = tab.page.locator("[data-tool][aria-pressed=true]")
+    hand.drag((250, 250), (300, 320))
+    hand.take("support")
+    # the pin that was just drawn does not look as if the tool were for it
+    expect(tab.page.locator(".scheme-paper .pin.chosen")).to_have_count(0)
+    tab.told("Click the pin that the frame holds.")
+    hand.click((500, 100))
+    tab.told("Click the pin that the frame holds.")
+    hand.click((300, 320))
+    hand.says("W = 1")
+    expect(armed).to_have_count(0)
+    hand.drag((250, 250), (520, 160))
+    hand.says("W = 2")
+    hand.click((150, 100))
+    hand.take("point")
+    hand.click((385, 205))
+    tab.told("Click where the point of link 2 is.")
+    expect(tab.page.locator(".scheme-paper .bar.chosen")).to_have_count(1)
+    hand.click((385, 120))
+    expect(tab.page.locator(".scheme-paper .bar[d$=Z]")).to_have_count(1)
+    expect(armed).to_have_count(0)
+
+
+def test_a_slider_has_its_mass_centre_at_its_pin(gallery: str, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of("draw", gallery=gallery)
+    hand = SchemeHand(tab)
+    scheme_hand.shaper(hand)
+    (x, y), (u, v) = hand.pin("B"), hand.pin("D")
+    rod = ((x + u) / 2, (y + v) / 2)
+    hand.click(rod)
+    hand.take("centre")
+    hand.click((u + 10, v + 5))  # in the box of the slider, the rod being chosen
+    tab.page.locator(".scheme[aria-busy=false]").wait_for()
+    hand.whole("I(1) → II(2-3) → II(4-5)")
+    letters = tab.page.locator(".scheme-paper text.letter")
+    expect(letters.filter(has_text="S")).to_have_count(0)
+    hand.take("centre")
+    hand.click(rod)
+    expect(letters.filter(has_text="S")).to_have_text("S4")
+    hand.whole("I(1) → II(2-3) → II(4-5)")
+    tab.page.locator(".scheme[aria-busy=false]").wait_for()
+    # the slider has kept its own
+    text = tab.page.evaluate("sessionStorage.getItem('scheme')")
+    assert json.loads(text)["text"].count("centre = ") == 2
+
+
 def test_letters_that_look_alike_are_one(gallery: str, tab_of: Callable[..., Tab]) -> None:
     tab = tab_of("draw", gallery=gallery)
     hand = SchemeHand(tab)
@@ -205,7 +256,10 @@ def test_letters_that_look_alike_are_one(gallery: str, tab_of: Callable[..., Tab
 
 
 def test_a_new_letter_looks_as_none_of_a_file(scene: Path, tab_of: Callable[..., Tab]) -> None:
-    alike = {"A =": '"\N{CYRILLIC CAPITAL LETTER A}" =', "B =": '"\N{CYRILLIC CAPITAL LETTER VE}" ='}
+    alike = {
+        "A =": '"\N{CYRILLIC CAPITAL LETTER A}" =',
+        "B =": '"\N{CYRILLIC CAPITAL LETTER VE}" =',
+    }
     for one, other in alike.items():
         scene.write_text(scene.read_text("utf-8").replace(one, other), "utf-8")
     tab = tab_of(f"s/{scene.parent.name}/#scheme")

@@ -1,4 +1,4 @@
-import { relettered } from "./changes.js";
+import { relettered, withoutPin } from "./changes.js";
 import { letterAt } from "./joining.js";
 import {
   bodiesAt,
@@ -7,6 +7,7 @@ import {
   freeGuide,
   freeNumber,
   isFree,
+  isOnlyCentre,
   minus,
   placeOf,
   stonesAt,
@@ -192,22 +193,47 @@ export function cylinder(sketch, start, end) {
 }
 
 /**
- * Put the mass centre of a link at a place; the one that it has is moved there.
+ * Put the mass centre of a link at one of its pins, or at a place; the one that it has is moved there. A slider has it
+ * at its pin.
  * @param {Sketch} sketch
  * @param {number} number
- * @param {Place} place
+ * @param {Target} target
  * @returns {Sketch | null}
  */
-export function centred(sketch, number, place) {
+export function centred(sketch, number, target) {
+  const body = bodyOf(sketch, number);
+  if (body === undefined || body === frameOf(sketch)) return null;
+  if (body.slides.length > 0 && body.points.length === 1) return withCentre(sketch, number, body.points[0] ?? "");
+  const own = body.points.find((one) => isOnlyCentre(sketch, body, one));
+  if ("letter" in target && target.letter !== own) return centredOn(sketch, body, target.letter, own);
+  const letter = own ?? `S${number}`;
+  if (!body.points.includes(letter) && !isFree(sketch, letter)) return null;
+  const made = withCentre(sketch, number, letter);
+  if ("place" in target) made.places[letter] = target.place;
+  return made;
+}
+
+/**
+ * Put the mass centre of a link on its pin; none on an end that nothing is joined to: no bar would be drawn to it.
+ * @param {Sketch} sketch
+ * @param {Body} body
+ * @param {string} pin
+ * @param {string | undefined} own the mass centre that it has, if that is no pin
+ */
+function centredOn(sketch, body, pin, own) {
+  if (!body.points.includes(pin) || bodiesAt(sketch, pin).length === 1) return null;
+  return withCentre(own === undefined ? sketch : withoutPin(sketch, own), body.number, pin);
+}
+
+/**
+ * @param {Sketch} sketch
+ * @param {number} number
+ * @param {string} letter
+ */
+function withCentre(sketch, number, letter) {
   const made = copyOf(sketch);
-  const body = bodyOf(made, number);
-  if (body === undefined || body === frameOf(made)) return null;
-  const letter = body.centre ?? `S${number}`;
-  if (!body.points.includes(letter)) {
-    if (!isFree(made, letter)) return null;
-    body.points.push(letter);
-    body.centre = letter;
-  }
-  made.places[letter] = place;
+  const body = /** @type {Body} */ (bodyOf(made, number));
+  if (!body.points.includes(letter)) body.points.push(letter);
+  body.centre = letter;
   return made;
 }

@@ -3,6 +3,7 @@ import {
   bodyOf,
   footOf,
   frameOf,
+  isOnlyCentre,
   lineOf,
   minus,
   movingOf,
@@ -180,8 +181,9 @@ export function withoutPin(sketch, letter) {
     const had = body.points.length;
     if (!body.points.includes(letter)) continue;
     body.points = body.points.filter((one) => one !== letter);
+    const only = isOnlyCentre(sketch, bodyOf(sketch, body.number) ?? body, letter);
     if (body.centre === letter) delete body.centre;
-    else if (body !== frameOf(made) && (had <= 2 || body.slides.length > 0)) gone.add(body.number);
+    if (!only && body !== frameOf(made) && (had <= 2 || body.slides.length > 0)) gone.add(body.number);
   }
   delete made.places[letter];
   made.links = made.links.filter((one) => !gone.has(one.number));

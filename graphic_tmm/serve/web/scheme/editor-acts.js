@@ -61,6 +61,8 @@ export function typeValue(editor, key, value, long) {
     editor.measured = true;
     editor.picture.scale(sizeOf(editor.sketch) / size);
     editor.paper.fit();
+    const field = editor.answer?.fields.find((one) => one.key === key);
+    if (field !== undefined) editor.tell(editor.say("scheme scaled", { length: field.label, text: field.text }));
   });
 }
 

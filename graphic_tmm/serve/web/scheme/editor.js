@@ -148,7 +148,7 @@ export class Editor {
       if (answer === null) return this.undone(errors, was, asked.typed !== undefined && asked.section === undefined);
       this.side.refuse([]);
       this.take(answer);
-      this.tell([answer.says, ...answer.errors].filter(Boolean)[0] ?? "");
+      this.tell(this.hand.asks() || ([answer.says, ...answer.errors].find(Boolean) ?? ""));
       done();
       return [];
     });

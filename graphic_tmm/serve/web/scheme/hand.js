@@ -50,12 +50,14 @@ export class Hand {
     // a pin that a link was just drawn to is named by a letter, and not meant by a tool
     const letter = drawn ? undefined : editor.chosen.letter;
     this.cancel();
+    // nor does it look as if it were
+    if (drawn && tool !== "") editor.chosen = {};
     if (tool === "support" && letter !== undefined) editor.act(acts.supported(editor.sketch, letter), {});
     else if (tool === "drive" && number !== undefined) this.drive(number);
     else this.tool = tool;
     this.pin = letter ?? "";
     editor.changed();
-    editor.tell(this.tool === "" ? "" : editor.say(this.tool === "stone" && this.pin !== "" ? "scheme stone bar" : howOf(this.tool)));
+    editor.tell(this.asks());
   }
 
   /** @param {number} number */
@@ -207,19 +209,29 @@ export class Hand {
   }
 
   /**
-   * Use a tool, and lay it down.
-   * @param {Tool} tool
+   * Use a tool, and lay it down; it stays where it has not done anything yet.
+   * @param {import("./tool-acts.js").ToolName} tool
    * @param {import("./tool-acts.js").Use} use
    */
   use(tool, use) {
     const { editor } = this;
-    this.tool = "";
-    this.pin = "";
-    const done = tool === "" ? null : TOOL_ACTS[tool](editor, use);
-    if (done === null) editor.tell(editor.say(howOf(tool)));
-    else if ("wait" in done) [this.tool, this.pin] = [tool, done.wait];
-    else editor.act(done.sketch, done.letter === undefined ? {} : { letter: done.letter, drawn: true }, { numbers: done.numbers ?? {} });
-    if (done !== null && "wait" in done) editor.tell(editor.say("scheme stone bar"));
+    const done = TOOL_ACTS[tool](editor, use) ?? {};
+    if ("sketch" in done) {
+      this.tool = "";
+      this.pin = "";
+      editor.act(done.sketch, done.letter === undefined ? {} : { letter: done.letter, drawn: true }, { numbers: done.numbers ?? {} });
+    } else {
+      this.pin = done.wait ?? use.pin;
+      if (done.link !== undefined) editor.chosen = { number: done.link };
+      editor.tell(this.asks());
+    }
     editor.changed();
+  }
+
+  /** What a tool that is taken asks for; "" without one. */
+  asks() {
+    const { number } = this.editor.chosen;
+    if (this.tool === "point" && number !== undefined) return this.editor.say("scheme point place", { number });
+    return this.tool === "" ? "" : this.editor.say(this.tool === "stone" && this.pin !== "" ? "scheme stone bar" : howOf(this.tool));
   }
 }

@@ -68,12 +68,22 @@ export function stonesAt(sketch, letter) {
 }
 
 /**
+ * Tell whether a letter of a link is nothing but its mass centre.
+ * @param {Sketch} sketch
+ * @param {Body} body
+ * @param {string} letter
+ */
+export function isOnlyCentre(sketch, body, letter) {
+  return letter === body.centre && body.points.length > 1 && bodiesAt(sketch, letter).length === 1;
+}
+
+/**
  * Return the letters between which a link is drawn: a mass centre is drawn by itself where nothing is joined to it.
  * @param {Sketch} sketch
  * @param {Body} body
  */
 export function cornersOf(sketch, body) {
-  return body.points.filter((one) => one !== body.centre || bodiesAt(sketch, one).length > 1);
+  return body.points.filter((one) => !isOnlyCentre(sketch, body, one));
 }
 
 /**

@@ -4,8 +4,8 @@ import { bodiesAt, frameOf } from "./sketch.js";
 import { guideBar } from "./snap.js";
 
 /**
- * What each tool does where it was used: a sketch (null: nothing) with the letter that is chosen then, a pin that it
- * waits with for the next click, or null where it was not meant.
+ * What each tool does where it was used: a sketch (null: nothing) with the letter that is chosen then, a pin or a link
+ * that it waits with for the next click, or null where it was not meant.
  *
  * @typedef {import("./editor.js").Editor} Editor
  * @typedef {import("./sketch.js").Sketch} Sketch
@@ -14,7 +14,7 @@ import { guideBar } from "./snap.js";
  * @typedef {"support" | "slider" | "stone" | "cylinder" | "point" | "centre" | "drive"} ToolName
  * @typedef {{begun: Meant, meant: Meant, drawn: boolean, angle: number, pin: string}} Use where it was pressed and released;
  *   angle: of the way between them, degrees; pin: that it is for, "" for none
- * @typedef {{sketch: Sketch | null, letter?: string, numbers?: Record<string, number>} | {wait: string} | null} Done
+ * @typedef {{sketch: Sketch | null, letter?: string, numbers?: Record<string, number>} | {wait?: string, link?: number} | null} Done
  */
 
 /** @type {Record<ToolName, (editor: Editor, use: Use) => Done>} */
@@ -26,10 +26,14 @@ export const TOOL_ACTS = {
     return pin === "" || meant.bar === undefined ? null : { sketch: acts.stoned(sketch, pin, guideBar(sketch, meant.bar)) };
   },
   cylinder: ({ sketch }, { begun, meant, drawn }) => (drawn ? acts.cylinder(sketch, targetOf(begun), targetOf(meant)) : null),
-  point: ({ sketch, chosen }, { meant }) => (chosen.number === undefined ? null : acts.pinned(sketch, chosen.number, targetOf(meant))),
+  point: ({ sketch, chosen }, { meant }) => {
+    const link = linkAt(sketch, meant);
+    if (chosen.number !== undefined) return acts.pinned(sketch, chosen.number, targetOf(meant));
+    return link === undefined ? null : { link };
+  },
   centre: ({ sketch, chosen }, { meant }) => {
-    const number = meant.bar?.number ?? chosen.number ?? linkAt(sketch, meant);
-    return number === undefined ? null : { sketch: acts.centred(sketch, number, meant.place) };
+    const number = weighedAt(sketch, meant) ?? chosen.number;
+    return number === undefined ? null : { sketch: acts.centred(sketch, number, targetOf(meant)) };
   },
   drive: ({ sketch }, { meant }) => {
     const number = linkAt(sketch, meant);
@@ -56,6 +60,17 @@ function linkAt(sketch, { letter, bar }) {
   if (letter === undefined) return bar?.number;
   const there = bodiesAt(sketch, letter).filter((one) => one !== frameOf(sketch));
   return there.sort((a, b) => b.points.length - a.points.length)[0]?.number;
+}
+
+/**
+ * Return the link whose mass centre is meant: at the pin of a slider the slider.
+ * @param {Sketch} sketch
+ * @param {Meant} meant
+ */
+function weighedAt(sketch, meant) {
+  const there = meant.letter === undefined ? [] : bodiesAt(sketch, meant.letter);
+  const slider = there.find((one) => one !== frameOf(sketch) && one.points.length === 1);
+  return slider?.number ?? linkAt(sketch, meant);
 }
 
 /**
