@@ -175,6 +175,12 @@ def _idle_friction(asked: Said, parts: Parts) -> Iterator[str]:
 
 def _defaults(asked: Said, parts: Parts) -> Iterator[str]:
     effects = parts.said["effects"]
+    still = effects is not None and not effects.gravity and not effects.inertia
+    if still and any(link.mass for link in parts.links if link is not None):
+        yield said(
+            "effects: masses are given, but neither gravity nor inertia is switched on: forces are those of "
+            "the loads alone"
+        )
     if effects is not None and effects.gravity and effects.g is None and in_kgf(parts.doc):
         yield said(
             "effects.g: it is left out, so weights are taken with {gravity} m/s², while kgf and lbf are made "

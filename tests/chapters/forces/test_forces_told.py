@@ -189,6 +189,15 @@ def test_that_kgf_and_weights_differ_is_told_once_if_nobody_decides(tmp_path: Pa
         assert "effects.g" not in _run(tmp_path, text, "table")[1]
 
 
+def test_that_masses_count_for_nothing_is_told(tmp_path: Path) -> None:
+    says = "effects: masses are given, but neither gravity nor inertia is switched on"
+    off = SLIDER.replace("inertia = true", "inertia = false")
+    assert _run(tmp_path, off, "table")[1].count(says) == 1
+    bare = "".join(line for line in off.splitlines(True) if not line.startswith("mass"))
+    for text in (SLIDER, off.replace("inertia = false", "gravity = true"), bare):
+        assert says not in _run(tmp_path, text, "table")[1]
+
+
 @pytest.mark.parametrize("value", ["0", "-9.81", '"9.81 m"', "true"])
 def test_a_g_that_is_none_is_refused(tmp_path: Path, value: str) -> None:
     path = written(tmp_path, SLIDER.replace("[effects]", f"[effects]\ng = {value}"))
