@@ -49,7 +49,8 @@ const values = new Values(
   },
 );
 const photo = new PhotoCheck(words, scene.name, tell);
-const scheme = new Editor(words, sendScheme, tell, scene.fixed);
+// where nothing is to be said of the scheme, it is how the scene stands
+const scheme = new Editor(words, sendScheme, (text) => tell(text || stood), scene.fixed);
 /** The version of the file that the scheme shows; "": none yet. */
 let schemed = "";
 /** The way of looking that was chosen. */

@@ -325,7 +325,7 @@ def test_a_fault_of_the_scene_does_not_dress_the_labels(
     scene: Path, tab_of: Callable[..., Tab]
 ) -> None:
     tab = tab_of(f"s/{scene.parent.name}/#scheme")
-    begun(tab)
+    hand = begun(tab)
     tab.told("Drawn as the file says.")
     looks = """() => [...document.querySelectorAll(".scheme-tools span, .scheme-field span")]
       .map((one) => { const it = getComputedStyle(one); return `${it.color} ${it.fontWeight}`; })"""
@@ -334,6 +334,8 @@ def test_a_fault_of_the_scene_does_not_dress_the_labels(
     tab.told("Faults: 1")
     assert len(before) > 10
     assert tab.page.evaluate(looks) == before
+    hand.length("AB", "0.32 m")
+    tab.told("Faults: 1")
 
 
 def test_a_pin_dropped_on_one_of_its_own_link_is_said_why(
