@@ -16,7 +16,7 @@ from graphic_tmm.scene.moved import uses
 from graphic_tmm.scene.sections import LENGTHS
 from graphic_tmm.scene.units import plain_unit
 from graphic_tmm.serve.form import Field, choices_in, form
-from graphic_tmm.serve.scheme.units import own_unit, unit_of
+from graphic_tmm.serve.scheme.units import own_unit, unit_of_field
 
 OF_LINKS = ("name", "mass", "J")
 OF_DRIVE = ("speed", "turns", "from", "to", "positions", "accelerations")
@@ -56,7 +56,7 @@ def _json(
         "placeholder": field.default,
         "unit": ""
         if own_unit(field.text)
-        else unit(plain_unit(unit_of(field, doc)), speech.language),
+        else unit(plain_unit(unit_of_field(field, doc)), speech.language),
         "says": speech(field.says),
     }
 

@@ -34,7 +34,7 @@ def own_unit(text: str) -> str:
     return found[1].strip() if found and plain_unit(found[1]) in UNITS else ""
 
 
-def unit_of(field: Field, doc: Document) -> str:
+def unit_of_field(field: Field, doc: Document) -> str:
     """Return the unit that a bare number has in a field: its own, that of the name there, SI, or the usual one.
 
     "" where it needs none. A number that the file has without a unit is in SI.
@@ -53,7 +53,7 @@ def with_unit(typed: str, field: Field, doc: Document) -> str:
     """Return what was typed, a bare number with the unit that it has in this field."""
     if field.kind != "quantity" or not _BARE.fullmatch(spoken(typed)):
         return typed
-    return f"{spoken(typed)} {unit_of(field, doc)}".strip()
+    return f"{spoken(typed)} {unit_of_field(field, doc)}".strip()
 
 
 def _is_of_slider(path: Path, doc: Document) -> bool:
