@@ -12,17 +12,14 @@ import numpy as np
 import pytest
 from support.driven_scenes import NARROW
 from support.gallery import SHEETS
+from support.slider_sketch import PLACES, crank_and_slider, link
 from support.strangers import FILES
 
 import graphic_tmm
 from graphic_tmm.errors import TmmError
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.scene.coordinates import SPEED
 from graphic_tmm.scene.read import judged
-from graphic_tmm.scene.values import quantity
-from graphic_tmm.serve.form import blank
 from graphic_tmm.serve.scheme.act import SchemeAct, drawing_of, scheme
-from graphic_tmm.serve.scheme.units import with_unit
 
 EN = speaking("en")
 SCENES = sorted(f for f in SHEETS.glob("*/scene.toml") if "[[link]]" in f.read_text("utf-8"))
@@ -150,11 +147,6 @@ def test_what_a_hand_clicks_is_the_mechanism_that_was_meant() -> None:
     assert max(off for _, off, _ in found) < 0.15  # another assembly is off by its whole height
 
 
-def link(number: int, *points: str, **more: Any) -> dict[str, Any]:
-    return {"number": number, "points": list(points), "guides": {}, "slides": [], **more}
-
-
-PLACES = {"O": [0.1, 0.2], "A": [0.121, 0.23], "B": [0.252, 0.2]}
 UNFINISHED: list[tuple[list[dict[str, Any]], int | None, int | None, str]] = [
     ([link(0)], None, None, "Draw a link"),
     ([link(0), link(1, "O", "A")], None, 3, "W = 3: a support, a slider"),
@@ -183,13 +175,6 @@ def test_what_is_missing_is_said(
     assert made["sketch"] == sketch
 
 
-def crank_and_slider() -> dict[str, Any]:
-    slider = link(3, "B", slides=[{"on": 0, "along": "x"}])
-    frame = {**link(0, "O"), "guides": {"x": {"through": [0.0, 0.2003], "angle": 0.0}}}
-    links = [frame, link(1, "O", "A"), link(2, "A", "B"), slider]
-    return {"places": PLACES, "links": links, "drive": 1}
-
-
 def test_a_new_scene_is_written_as_people_write_one() -> None:
     made = scheme(b"", Path("scheme.toml"), SchemeAct(sketch=crank_and_slider()), EN)
     assert (made["mobility"], made["formula"]) == (1, "I(1) → II(2-3)")
@@ -214,33 +199,6 @@ def test_the_first_length_is_the_scale_of_all() -> None:
     assert again["text"] == larger["text"]
 
 
-BARE = [
-    ("OA", "", "110.5", "110.5 mm", ""),
-    ("OA", "", "110,5", "110,5 mm", ""),
-    ("its angular speed", "0", "60", "60 rad/s", "rad/s"),
-    ("its angular speed", '"380 rpm"', "60", "60 rpm", ""),
-    ("its angular speed", "6.5", "60", "60 rad/s", "rad/s"),
-    ("link 2: its mass", "", "3", "3 kg", "kg"),
-    ("link 2: its moment of inertia about the mass centre", "", "0.02", "0.02 kg*m^2", "kg·m²"),
-    ("link 1: what the link is called", "", "3", "3", ""),
-]
-
-
-@pytest.mark.parametrize(("label", "begun", "typed", "holds", "unit"), BARE)
-def test_a_bare_number_has_the_unit_of_its_field(
-    label: str, begun: str, typed: str, holds: str, unit: str
-) -> None:
-    file = Path("scheme.toml")
-    text = scheme(b"", file, SchemeAct(sketch=crank_and_slider()), EN)["text"]
-    text = text.replace("speed = 0", f"speed = {begun}") if "speed" in label else text
-    fields = {one["label"]: one for one in scheme(text.encode(), file, SchemeAct(), EN)["fields"]}
-    assert fields[label]["unit"] == unit
-    typed_in = {fields[label]["key"]: typed}
-    made = scheme(text.encode(), file, SchemeAct(typed=typed_in), EN)
-    shown_now = {one["label"]: one["text"] for one in made["fields"]}
-    assert shown_now[label] == holds
-
-
 def test_a_slider_that_weighs_has_its_centre_at_its_pin() -> None:
     file = Path("scheme.toml")
     text = scheme(b"", file, SchemeAct(sketch=crank_and_slider()), EN)["text"]
@@ -263,21 +221,6 @@ def test_a_mass_centre_that_is_put_taken_elsewhere_or_away_is_so_in_the_scene() 
     made = shown(file, sketch=sketch)
     assert "S2" not in made["text"]
     assert made["says"] == "link 2: E is taken as its mass centre; put it elsewhere by the tool"
-
-
-def test_what_a_bare_number_is_in_is_taken_from_what_is_written() -> None:
-    field = blank(quantity("length"), None)._replace(in_quotes=True)
-    named = field._replace(text="AB")
-    assert with_unit("140", field._replace(text="0.659 m"), {}) == "140 m"
-    assert with_unit("140", field._replace(text="659 мм"), {}) == "140 мм"
-    assert with_unit("140", named, {}) == "140 mm"
-    assert with_unit("140", named, {"lengths": {"AB": "0.6 m"}}) == "140 m"
-    assert with_unit("0.14", field._replace(text="0.65", in_quotes=False), {}) == "0.14 m"
-    assert with_unit("140 cm", field._replace(text="659 mm"), {}) == "140 cm"
-    drive = {"drive": {"link": 3}, "link": [{"number": 3, "slides": {"on": "frame", "along": "x"}}]}
-    speed = blank(SPEED, None)._replace(path=("drive", "speed"), text="0")
-    assert with_unit("2", speed, drive) == "2 m/s"
-    assert with_unit("2", speed, {"drive": {"link": 1}}) == "2 rad/s"
 
 
 def test_a_length_that_cannot_be_is_refused() -> None:
