@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from support.driven_scenes import NARROW
 from support.gallery import SHEETS
-from support.slider_sketch import PLACES, crank_and_slider, link
+from support.slider_sketch import PLACES, body, crank_and_slider
 from support.strangers import FILES
 
 import graphic_tmm
@@ -148,18 +148,18 @@ def test_what_a_hand_clicks_is_the_mechanism_that_was_meant() -> None:
 
 
 UNFINISHED: list[tuple[list[dict[str, Any]], int | None, int | None, str]] = [
-    ([link(0)], None, None, "Draw a link"),
-    ([link(0), link(1, "O", "A")], None, 3, "W = 3: a support, a slider"),
-    ([link(0, "O"), link(1, "O", "A")], None, 1, "say which link is driven"),
+    ([body(0)], None, None, "Draw a link"),
+    ([body(0), body(1, "O", "A")], None, 3, "W = 3: a support, a slider"),
+    ([body(0, "O"), body(1, "O", "A")], None, 1, "say which link is driven"),
     (
-        [link(0, "O"), link(1, "O", "A"), link(2, "A", "B")],
+        [body(0, "O"), body(1, "O", "A"), body(2, "A", "B")],
         1,
         2,
         "O(1,0), A(1,2); joined with nothing: B",
     ),
-    ([link(0, "O", "B"), link(1, "O", "A"), link(2, "A", "B")], 1, 0, "a pair is too many"),
-    ([link(0, "O", "B"), link(1, "O", "A"), link(2, "A", "B")], None, 0, "nothing can move"),
-    ([link(0, "O"), link(1, "O", "A"), link(2, "B")], 1, 4, "link 2 is tied to nothing"),
+    ([body(0, "O", "B"), body(1, "O", "A"), body(2, "A", "B")], 1, 0, "a pair is too many"),
+    ([body(0, "O", "B"), body(1, "O", "A"), body(2, "A", "B")], None, 0, "nothing can move"),
+    ([body(0, "O"), body(1, "O", "A"), body(2, "B")], 1, 4, "link 2 is tied to nothing"),
 ]
 
 
