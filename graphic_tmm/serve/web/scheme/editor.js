@@ -233,7 +233,8 @@ export class Editor {
     this.text = text;
     this.sketch = sketch;
     await this.ask(() => (text === "" ? { sketch } : {}));
-    if (this.history.past.length === 0 && this.sketch.links.length > 1) this.paper.fit();
+    // who draws already, before this was answered, looks at what he draws
+    if (this.ahead === 0 && this.history.past.length === 0 && this.sketch.links.length > 1) this.paper.fit();
   }
 
   cancel() {

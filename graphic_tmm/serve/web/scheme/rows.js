@@ -95,7 +95,8 @@ export class Row {
    */
   async send(answered) {
     this.waiting += 1;
-    this.sent = this.input.value;
+    const typed = this.input.value;
+    this.sent = typed;
     this.ask(null);
     this.refuse([]);
     const errors = await answered;
@@ -103,6 +104,8 @@ export class Row {
     if (this.waiting > 0) return;
     this.sent = this.field.text;
     this.refuse(errors);
+    // what stands as it was entered is told as the file has it: with its unit
+    if (errors.length === 0 && this.input.value === typed) this.input.value = this.field.text;
     this.show();
   }
 }
