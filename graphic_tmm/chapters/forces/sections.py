@@ -176,7 +176,12 @@ def _idle_friction(asked: Said, parts: Parts) -> Iterator[str]:
 def _defaults(asked: Said, parts: Parts) -> Iterator[str]:
     effects = parts.said["effects"]
     still = effects is not None and not effects.gravity and not effects.inertia
-    if still and any(link.mass for link in parts.links if link is not None):
+    # a flywheel has its own use for them
+    if (
+        still
+        and "flywheel" not in parts.doc
+        and any(link.mass for link in parts.links if link is not None)
+    ):
         yield said(
             "effects: masses are given, but neither gravity nor inertia is switched on: forces are those of "
             "the loads alone"
