@@ -138,7 +138,7 @@ def test_ink_follows_other_lengths_or_is_hidden(name: str) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.turns(3)
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("name", OTHERS)
 def test_ink_of_strangers_does_so_too(name: str) -> None:
     """Where a mechanism locks, guides as long as their travel are hidden: no whole degree is its end."""
