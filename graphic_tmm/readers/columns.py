@@ -159,12 +159,13 @@ class Tabled(Answer):
     """A chapter's tables.
 
     ``columns``: along the positions; by default the lengths measured on a board of its own. ``results``: by
-    name; ``facts``: further data for machines.
+    name; ``marks``: those that results are, by the same names; ``facts``: further data for machines.
     """
 
     stands: ClassVar[str] = "table.TABLE"
     columns: Callable[[Drawn], Iterable[Column]] = own_columns
     results: Callable[[Drawn], Results] = lambda drawn: {}
+    marks: Callable[[Drawn], Mapping[str, Mark]] = lambda drawn: {}
     facts: Callable[[Drawn], Mapping[str, Any]] = lambda drawn: {}
 
 

@@ -19,6 +19,7 @@ LAYERS = (
     (),  # plans: what no other layer names
     ("record",),
     ("scales", "outline", "ink", "accuracy"),
+    ("live_scales",),
     ("table", "views", "turning", "scheme", "findings"),
     ("note", "task_sheet"),
     ("__init__",),

@@ -122,7 +122,8 @@ def handed() -> dict[str, bytes]:
 @cache
 def unchanged(kind: str) -> Task:
     """Return the task of a kind, its files good."""
-    scene = (SHEETS / (QUICKEST if kind == "minutes" else NAME) / "scene.toml").read_text("utf-8")
+    own = QUICKEST if kind == "minutes" else NAME
+    scene = (SHEETS / own / "scene.toml").read_text("utf-8")
     marking = ("mark", SCENE, f"{FOLDER}/handed", "--trials", "20", "-o", OUT)
     by_table = (*marking, "--variants", f"{FOLDER}/variants.csv")
     table = {"variants.csv": VARIANTS.encode()}
@@ -148,7 +149,7 @@ def unchanged(kind: str) -> Task:
     line, files = lines[kind]
     csv = readings(NAME).encode() if kind == "readings" else None
     minutes = TABLE.encode() if kind == "minutes" else None
-    return Task(NAME, kind, scene, csv, minutes, line, None, tuple(files.items()))
+    return Task(own, kind, scene, csv, minutes, line, None, tuple(files.items()))
 
 
 KINDS = {

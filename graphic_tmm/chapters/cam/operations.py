@@ -214,13 +214,11 @@ def _farthest(curve: Curve, way: Complexes) -> Complexes:
 
     Of points that are as far but for rounding it is the first of its knots, else of its crests.
     """
-    spots = []
-    for trial in range(max(curve.knots.shape[0], way.shape[0])):
-        own = min(trial, curve.knots.shape[0] - 1)
-        p, m = curve.knots[own], curve.tangents[own]
-        turned = np.conj(way[min(trial, way.shape[0] - 1), 0])
-        found = np.concatenate([p, *stationary(p, m, turned)])
-        heights = np.nan_to_num((found * turned).real, nan=-np.inf)
-        best = found[np.argmax(heights >= heights.max() - EVEN * np.abs(heights.max()))]
-        spots.append(best if (np.isfinite(p) & np.isfinite(m)).all() else np.nan)
-    return np.array(spots, dtype=np.complex128)[:, None]
+    turned = np.conj(way[:, :1])
+    knots = np.broadcast_arrays(curve.knots, turned)[0]
+    found = np.concatenate([knots, *stationary(knots, curve.tangents, turned)], axis=1)
+    heights = np.nan_to_num((found * turned).real, nan=-np.inf)
+    most = heights.max(axis=1, keepdims=True)
+    best = np.argmax(heights >= most - EVEN * np.abs(most), axis=1)
+    whole = (np.isfinite(curve.knots) & np.isfinite(curve.tangents)).all(axis=1)
+    return np.where(whole[:, None], np.take_along_axis(found, best[:, None], axis=1), np.nan)

@@ -77,6 +77,11 @@ def _column(drawn: Drawn, name: str, mark: Mark, unit: str, mm: Mark | None = No
 
 def engine_results(drawn: Drawn) -> Results:
     """Return what lumping the rod's mass gives and costs, and the works over a turn."""
+    return results_of(drawn, engine_marks(drawn))
+
+
+def engine_marks(drawn: Drawn) -> dict[str, Mark]:
+    """Return the marks of the results of an engine."""
     lumped = ENGINE_PLAN.on(drawn).lumped
     marks = {
         "m_to_and_fro": lumped.mass,
@@ -86,10 +91,10 @@ def engine_results(drawn: Drawn) -> Results:
         "J_rod_excess": lumped.lost,
     }
     found = {name: mark for name, mark in marks.items() if mark is not None}
-    return results_of(drawn, found | dict(zip(WORKS, BESIDE.on(drawn).works, strict=True)))
+    return found | dict(zip(WORKS, BESIDE.on(drawn).works, strict=True))
 
 
-TABLE = Tabled(columns=engine_columns, results=engine_results)
+TABLE = Tabled(columns=engine_columns, results=engine_results, marks=engine_marks)
 
 
 def _views(project: Project) -> dict[str, list[str]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import numpy as np
 
-from graphic_tmm.board.record import segment_name
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.chapters.flywheel.plan import FLYWHEEL_PLAN, Flywheel
 from graphic_tmm.chapters.flywheel.record import BESIDE, Aside
 from graphic_tmm.chapters.flywheel.rim import wanted_outer
@@ -60,8 +60,18 @@ def flywheel_results(drawn: Drawn) -> Results:
     return results_for(drawn, FLYWHEEL_PLAN.on(drawn), BESIDE.on(drawn))
 
 
+def flywheel_marks(drawn: Drawn) -> dict[str, Mark]:
+    """Return the marks of the results of the flywheel."""
+    return _marks(FLYWHEEL_PLAN.on(drawn), BESIDE.on(drawn))
+
+
 def results_for(drawn: Drawn, made: Flywheel, beside: Aside) -> Results:
     """Return the results of a flywheel as drawn, and of what was calculated beside it."""
+    found = results_of(drawn, _marks(made, beside))
+    return {name: result for name, result in found.items() if np.isfinite(result[0]).any()}
+
+
+def _marks(made: Flywheel, beside: Aside) -> dict[str, Mark]:
     marks = {"cd": made.segment, "J_fly": made.inertia}
     if made.order.J is not None:
         marks["delta"] = made.delta
@@ -81,8 +91,7 @@ def results_for(drawn: Drawn, made: Flywheel, beside: Aside) -> Results:
     marks |= {"M_mean": beside.moment, "power": beside.power, "A_excess": beside.excess}
     if beside.rim is not None:
         marks |= dict(zip(("J_made", "delta_made"), beside.rim[1:], strict=True))
-    found = results_of(drawn, marks)
-    return {name: result for name, result in found.items() if np.isfinite(result[0]).any()}
+    return marks
 
 
 def rim_too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str:
@@ -100,7 +109,7 @@ def rim_too_wide(results: Mapping[str, tuple[float, str]], language: str) -> str
     return f"{captions(language)['flywheel']}: {advice}"
 
 
-TABLE = Tabled(columns=flywheel_columns, results=flywheel_results)
+TABLE = Tabled(columns=flywheel_columns, results=flywheel_results, marks=flywheel_marks)
 
 
 def _views(project: Project) -> dict[str, list[str]]:

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Complexes, Length, Line, Number
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.board.values import Complexes, Line
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import result_symbol, symbol
 from graphic_tmm.page.cursors import Cursor
@@ -20,6 +20,7 @@ from graphic_tmm.page.sentences import indexed
 from graphic_tmm.paper.drawing import Drawing, Sheet, Stroke
 from graphic_tmm.paper.pens import pens
 from graphic_tmm.paper.write.svg import ids
+from graphic_tmm.readers.columns import Tabled
 from graphic_tmm.readers.table import results_of
 from graphic_tmm.scene.captions import captions
 
@@ -27,8 +28,6 @@ EVEN = 1e-9
 """The numbers of places in the row that are off a straight line by no more go on evenly."""
 SHORT = 0.01
 """Ink ends in a mark if it is nearer, mm: the half of what a sheet tells."""
-ALIKE = 1e-12
-"""A result is what a step leaves if it is off that by no more of itself."""
 
 
 def live_cursor(one: Cursor, sheets: Sequence[Sheet]) -> dict[str, Any]:
@@ -76,24 +75,15 @@ class LiveCharts:
     @cached_property
     def results(self) -> list[tuple[str, str, float, str, Mark]]:
         """The results that a step leaves: the view that shows it or else the last, name, figure, unit, mark."""
-        found = []
-        steps = self.found.sheet.construction.steps
-        for name, (figures, of) in results_of(self.found.sheet).items():
-            if np.size(figures) != 1:
-                continue
-            value = float(np.ravel(figures)[0])
-            mark = next((s.it for s in steps if self._is(s.it, value)), None)
-            if mark is not None and value:
+        found, sheet = [], self.found.sheet
+        left = {step.it for step in sheet.construction.steps}
+        marks = {k: m for c in sheet.project.chapters for k, m in Tabled.of(c).marks(sheet).items()}
+        for name, (value, of) in single(results_of(sheet)).items():
+            mark = marks.get(name)
+            if mark is not None and mark in left and value:
                 shown = [key for key, (_, view) in self.views.items() if mark.view in view.shows]
                 found.append(((shown or [*self.views])[-1], name, value, of, mark))
         return found
-
-    def _is(self, mark: Mark, value: float) -> bool:
-        reading = self.found.sheet.numbers.drawn
-        if mark.kind not in (Number, Length) or mark not in reading:
-            return False
-        own = reading[mark]
-        return own.size == 1 and abs(float(own.item()) - value) <= ALIKE * abs(value)
 
     @cached_property
     def inked(self) -> frozenset[int]:
