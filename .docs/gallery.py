@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from documents import ROOT, across, page_of
 from theory import links, shows
+from translated import titled
 from words import Language, word
 
 from graphic_tmm import read, scenes
@@ -34,12 +35,12 @@ def pictures(name: str) -> list[str]:
 def _card(name: str, language: Language) -> str:
     source = across(pictures(name)[0], "gallery/x.md", "en", language)
     picture = f'<img src="{source}" alt="" loading="lazy">'
-    return f'<a href="{name}.html">{picture}<code>{name}</code>{read(name).title}</a>'
+    return f'<a href="{name}.html">{picture}<code>{name}</code>{titled(name, language)}</a>'
 
 
 def _page(name: str, language: Language) -> str:
     scene = read(name)
-    parts = [f"# {name}\n", f"{scene.title}\n"]
+    parts = [f"# {name}\n", f"{titled(name, language)}\n"]
     told = links(tuple(one for one in chapters() if shows(scene, one)), language, "../theory/")
     parts.append(f"**{word('chapters of it', language)}:** {told}\n")
     parts.append(f"{word('draw it', language)}\n\n```sh\ngraphic-tmm draw {name}\n```\n")

@@ -10,6 +10,7 @@ from importlib import import_module
 from inspect import getdoc
 
 from documents import across
+from translated import titled, translated
 from words import Language, word
 
 from graphic_tmm import Scene, read, scenes
@@ -28,7 +29,8 @@ def theory_pages(language: Language) -> Iterator[tuple[str, str]]:
     index += ["| № | |", "|---|---|"]
     for chapter in chapters():
         link = f"[{called(chapter, language)}]({chapter.name}.md)"
-        index.append(f"| {chapter.number} | {link}{_in_a_line(chapter, language)} |")
+        first = _theory(chapter, language).partition("\n")[0]
+        index.append(f"| {chapter.number} | {link}<br>{first} |")
     yield "theory/index.md", "\n".join(index) + "\n"
     for chapter in chapters():
         yield f"theory/{chapter.name}.md", _page(chapter, language)
@@ -39,7 +41,7 @@ def called(chapter: Chapter, language: Language) -> str:
     name = title(chapter, language)
     if name != chapter.name:
         return name
-    return _heading(chapter) if language == "en" else read(scene_of(chapter, language)).title
+    return _theory(chapter, language).partition(":")[0]
 
 
 def links(those: tuple[Chapter, ...], language: Language, folder: str = "") -> str:
@@ -70,50 +72,28 @@ def scene_of(chapter: Chapter, language: Language) -> str:
     )
 
 
-def _theory(chapter: Chapter) -> str:
-    return getdoc(import_module(chapter.folder)) or ""
-
-
-def _heading(chapter: Chapter) -> str:
-    return _theory(chapter).partition(":")[0]
-
-
-def _in_a_line(chapter: Chapter, language: Language) -> str:
-    if language != "en":
-        return ""
-    first = _theory(chapter).partition("\n")[0]
-    return f"<br>{first}"
+def _theory(chapter: Chapter, language: Language = "en") -> str:
+    return translated(getdoc(import_module(chapter.folder)) or "", language)
 
 
 def _page(chapter: Chapter, language: Language) -> str:
-    page = f"theory/{chapter.name}.md"
-    parts = [f"# {called(chapter, language)}\n"]
-    if language == "en":
-        parts.append(_marked(_theory(chapter)))
-    else:
-        english = across(page.replace(".md", ".html"), page, "en", language)
-        sentence = word("only English", language)
-        there = re.sub(
-            r"\[\{\}\]\(\{\}\)", f'<a href="{english}">{_heading(chapter)}</a>', sentence
-        )
-        parts.append(f'!!! note ""\n    {there}\n')
+    parts = [f"# {called(chapter, language)}\n", _marked(_theory(chapter, language), language)]
     parts += _further(chapter, language)
     parts.append(_worked(chapter, language))
     return "\n".join(parts)
 
 
-def _marked(theory: str) -> str:
+def _marked(theory: str, language: Language) -> str:
     """Return a page of theory as Markdown: what it is about first, scenes that it names as links."""
     first, _, rest = theory.partition("\n")
-    text = f"**{first}**\n{rest}\n"
-    text = re.sub(r"^(Draws|Sources):", r"**\1:**", text, flags=re.MULTILINE)
+    bold = "|".join(word(name, language) for name in ("draws", "sources"))
+    text = re.sub(rf"^({bold}):", r"**\1:**", f"**{first}**\n{rest}\n", flags=re.MULTILINE)
     known = set(scenes())
-    return re.sub(r"(?<=scene )``([\w-]+)``|``([\w-]+)``(?=\))", lambda one: _led(one, known), text)
+    return re.sub(r"``([\w-]+)``(?=\))", lambda one: _led(one, known), text)
 
 
 def _led(found: re.Match[str], known: set[str]) -> str:
-    name = found[1] or found[2]
-    return f"[{name}](../gallery/{name}.md)" if name in known else found[0]
+    return f"[{found[1]}](../gallery/{found[1]}.md)" if found[1] in known else found[0]
 
 
 def _further(chapter: Chapter, language: Language) -> Iterator[str]:
@@ -149,7 +129,7 @@ def notes(language: Language) -> Iterator[tuple[str, str]]:
 def _worked(chapter: Chapter, language: Language) -> str:
     """Return the section of a note on a chapter; of one that stands on no board its scene's sheet."""
     name = scene_of(chapter, language)
-    heading = f"## {word('worked', language).format(read(name).title)} {{ #worked }}\n"
+    heading = f"## {word('worked', language).format(titled(name, language))} {{ #worked }}\n"
     if not chapter.board:
         source = across(f"sheets/{name}/{name}.svg", "theory/x.md", "en", language)
         return f'{heading}\n<img class="sheet" src="{source}" alt="{name}">\n'

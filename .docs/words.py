@@ -11,7 +11,7 @@ NAMES = {"en": "English", "ru": "Русский"}
 WORDS: dict[str, dict[Language, str]] = {
     "home": {"en": "Home", "ru": "Начало"},
     "guides": {"en": "Guides", "ru": "Руководства"},
-    "theory": {"en": "Theory", "ru": "Главы"},
+    "theory": {"en": "Theory", "ru": "Теория"},
     "keys": {"en": "Keys of a scene", "ru": "Ключи задания"},
     "commands": {"en": "Commands", "ru": "Команды"},
     "python": {"en": "In Python", "ru": "Python (англ.)"},
@@ -27,20 +27,11 @@ WORDS: dict[str, dict[Language, str]] = {
     "what for": {"en": "What for", "ru": "Назначение"},
     "chapter": {"en": "Chapter", "ru": "Глава"},
     "draw it": {"en": "Draw it:", "ru": "Вычертить:"},
-    "how built": {"en": "How it is built", "ru": ""},
-    "measured": {"en": "Measured", "ru": ""},
-    "changes": {"en": "Changes", "ru": ""},
-    "how to write": {"en": "A scene", "ru": ""},
-    "checking": {"en": "Checking", "ru": ""},
-    "accuracy": {"en": "Accuracy", "ru": ""},
-    "only English": {
-        "en": "",
-        "ru": "Теория этой главы изложена по-английски: [{}]({}). Ниже — пример, вычерченный и записанный "
-        "программой по-русски.",
-    },
+    "draws": {"en": "Draws", "ru": "Чертит"},
+    "sources": {"en": "Sources", "ru": "Источники"},
     "each chapter": {
         "en": "Each chapter of the book: its theory and sources, a worked example with its figures, its keys.",
-        "ru": "Каждая глава — пример с чертежами и вычислениями, ключи задания, где это начерчено.",
+        "ru": "Каждая глава: теория и источники, пример с чертежами и вычислениями, ключи задания.",
     },
     "a scene each": {
         "en": "",

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
+import re
 import subprocess
 import sys
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -14,6 +16,7 @@ from support.browser import without
 from support.gallery import ALL, ROOT
 
 import graphic_tmm
+from graphic_tmm import read
 from graphic_tmm.__main__ import main as command_line
 from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.sections import declared
@@ -74,7 +77,49 @@ def test_the_page_of_a_chapter_has_theory_and_a_worked_example(site: Path) -> No
             assert 'id="worked"' in text
             assert "<svg" in text.partition('id="worked"')[2] or not one.board, one.name
         english = (site / "theory" / f"{one.name}.html").read_text(encoding="utf-8")
-        assert "Sources:" in english
+        russian = (site / "ru" / "theory" / f"{one.name}.html").read_text(encoding="utf-8")
+        assert "<strong>Sources:" in english
+        assert "<strong>Источники:" in russian
+        assert "Sources:" not in russian
+
+
+WORD = re.compile("[a-zа-яё]{4,}")
+FORMULA = re.compile(r"`+[^`]+`+|[^\s,;:.()а-яё]*[²³′₀-₉α-ωΔΣΦ⊥=·≥→∥][^\s,;:.()]*")
+
+
+def formulas(text: str) -> set[str]:
+    """Return what a paragraph has alike in all languages: names in code, and formulas but for words in them."""
+    spans = set(re.findall("`+[^`]+`+", text))
+    return spans | set(FORMULA.findall(WORD.sub("", re.sub("`+[^`]+`+", "", text))))
+
+
+@pytest.mark.parametrize("language", ["en", "ru"])
+def test_the_catalogue_of_the_site_has_all_that_it_shows_and_nothing_else(
+    language: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A paragraph of theory that is changed in English lacks its Russian until that is changed, too."""
+    monkeypatch.syspath_prepend(str(DOCS))
+    from translated import catalogue, paragraphs  # type: ignore[import-not-found]
+
+    others = [scene.title for name in ALL if (scene := read(name)).language != language]
+    theory = [str(import_module(one.folder).__doc__) for one in chapters()]
+    due = {one for text in (*others, *theory * (language == "ru")) for one in paragraphs(text)}
+    held = catalogue(language)
+    assert due - set(held) == set()
+    assert set(held) - due == set()
+    assert [one for one, told in held.items() if formulas(one) != formulas(told)] == []
+
+
+def test_a_page_never_falls_back_to_english(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(DOCS))
+    from translated import translated
+
+    text = "The flywheel, otherwise put:\n\n- Chords\n- Tangents"
+    assert translated(text, "en") == text
+    with pytest.raises(LookupError, match=r"ru\.po has no text for: The flywheel, otherwise put:"):
+        translated(text, "ru")
+    monkeypatch.setattr("translated.catalogue", lambda language: {"a b": "а б", "J = 1": "J = 1"})
+    assert translated("a\n  b\n\n    J = 1\n- a\n  b", "ru") == "а б\n\n    J = 1\n- а б"
 
 
 def test_searches_find_pages_in_both_languages(site: Path) -> None:
@@ -84,6 +129,7 @@ def test_searches_find_pages_in_both_languages(site: Path) -> None:
     )
     assert "python/Drawn.html" in found(site, "protocol of a plan", "en")
     assert "theory/kinematics.html" in found(site, "план скоростей", "ru")
+    assert "theory/forces.html" in found(site, "жёстким рычагом", "ru")
     assert "keys/drive.html" in found(site, "положений", "ru")
     assert "commands/check.html" in found(site, "отсчёты", "ru")
     assert not found(site, "план скоростей мотыля", "ru")
