@@ -23,7 +23,7 @@ sys.path[:0] = [str(HERE), str(HERE.parent)]
 from documents import PAGES, PICTURES, REPOSITORY, ROOT, across, page_of  # noqa: E402
 from gallery import gallery_pages  # noqa: E402
 from reached import lost  # noqa: E402
-from reference import command_pages, face_pages, key_pages  # noqa: E402
+from reference import command_pages, face_links, face_pages, key_pages  # noqa: E402
 from start import start_page  # noqa: E402
 from theory import notes, theory_pages  # noqa: E402
 from words import LANGUAGES, NAMES, Language, word  # noqa: E402
@@ -39,7 +39,7 @@ OTHER = "scenes_with_ranges"
 """The test among these that is one of scenes, and of no document's example."""
 TABS: Mapping[Language, Sequence[str]] = {
     "en": ("guides", "theory", "keys", "commands", "python", "gallery", "project"),
-    "ru": ("guides", "theory", "keys", "commands", "gallery"),
+    "ru": ("guides", "theory", "keys", "commands", "python", "gallery"),
 }
 LOOK = ("look.css", "iframe-worker.js")
 PRINTED = ("keys/index.md", "gallery/index.md")
@@ -57,6 +57,8 @@ def pages(language: Language) -> dict[str, str]:
     found.update(command_pages(language))
     if language == "en":
         found.update(face_pages())
+    else:
+        found["python/index.md"] += face_links(language)
     found.update(gallery_pages(language))
     found["index.md"] = f"---\nhide: [navigation]\n---\n\n{found['index.md']}"
     return found

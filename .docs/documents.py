@@ -8,6 +8,9 @@ from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 from posixpath import normpath, relpath
 
+from translated import translated
+from words import Language
+
 ROOT = Path(__file__).parents[1]
 REPOSITORY = os.environ.get("GRAPHIC_TMM_REPOSITORY", "").rstrip("/")
 """Where files that are no page can be read, if anywhere: links to them are plain words else."""
@@ -29,10 +32,12 @@ ENGLISH: Mapping[str, str] = {
 RUSSIAN: Mapping[str, str] = {
     "sheets/start.ru.md": "guides/start.md",
     "sheets/class.ru.md": "guides/class.md",
+    "graphic_tmm/scene/README.md": "guides/scene.md",
+    "graphic_tmm/face/README.md": "python/index.md",
     "graphic_tmm/scene/keys.ru.md": "keys/index.md",
 }
 """Which page a document is; the keys are printed anew, and only links lead by these names."""
-PAGES: Mapping[str, Mapping[str, str]] = {"en": ENGLISH, "ru": RUSSIAN}
+PAGES: Mapping[Language, Mapping[str, str]] = {"en": ENGLISH, "ru": RUSSIAN}
 PICTURES = (".svg", ".png", ".jpg")
 
 _LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^()\s]+)\)")
@@ -40,9 +45,15 @@ _ATTRIBUTE = re.compile(r'\b(href|src)="([^":#]+)"')
 _CODE = re.compile(r"(^```.*?^```|^ {4}.*?$|``.*?``|`[^`\n]*`)", re.DOTALL | re.MULTILINE)
 
 
-def page_of(document: str, language: str) -> str:
+def text_of(document: str, language: Language) -> str:
+    """Return what a document says, in its own language where it is the only one of that page."""
+    source: Language = "en" if document in ENGLISH else language
+    return translated((ROOT / document).read_text(encoding="utf-8"), language, source, code=True)
+
+
+def page_of(document: str, language: Language) -> str:
     """Return a document as a page of the site of a language."""
-    text = (ROOT / document).read_text(encoding="utf-8")
+    text = text_of(document, language)
     page = PAGES[language][document]
     parts = _CODE.split(text)
     joined, kept = "", list[str]()  # a link may have code for its words, and none is in code
@@ -55,7 +66,7 @@ def page_of(document: str, language: str) -> str:
     return re.sub(r"\0(\d+)\0", lambda one: kept[int(one[1])], joined)
 
 
-def _led(found: re.Match[str], document: str, page: str, language: str) -> str:
+def _led(found: re.Match[str], document: str, page: str, language: Language) -> str:
     picture, words, target = found.groups()
     if re.match(r"[a-z]+:", target) or target.startswith("#"):
         return found[0]
@@ -74,7 +85,7 @@ def _led(found: re.Match[str], document: str, page: str, language: str) -> str:
     )
 
 
-def lead(path: str, page: str, language: str) -> tuple[str, bool]:
+def lead(path: str, page: str, language: Language) -> tuple[str, bool]:
     """Return where a file of the repository is read, "" if nowhere; whether in the site of the language."""
     there = {"graphic_tmm/chapters": "theory/index.md"}
     if path.startswith("sheets/") and (ROOT / path / "scene.toml").exists():
@@ -89,14 +100,14 @@ def lead(path: str, page: str, language: str) -> tuple[str, bool]:
     return (f"{REPOSITORY}/blob/main/{path}" if REPOSITORY else ""), True
 
 
-def across(file: str, page: str, other: str, language: str) -> str:
+def across(file: str, page: str, other: Language, language: Language) -> str:
     """Return the link from a page to a file of the site of another language; English stands at the root."""
     home = {"en": "", "ru": "ru"}
     here = PurePosixPath(home[language]) / PurePosixPath(page).parent
     return relpath(str(PurePosixPath(home[other]) / file), str(here))
 
 
-def _attribute(found: re.Match[str], document: str, page: str, language: str) -> str:
+def _attribute(found: re.Match[str], document: str, page: str, language: Language) -> str:
     path = normpath(str(PurePosixPath(document).parent / found[2]))
     if path.endswith(PICTURES):
         return f'{found[1]}="{across(path, page, "en", language)}"'

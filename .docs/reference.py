@@ -8,6 +8,7 @@ from html import escape
 from inspect import cleandoc
 
 import click
+from documents import across
 from theory import links
 from words import Language, word
 
@@ -20,6 +21,7 @@ from graphic_tmm.scene.chapter import chapters
 from graphic_tmm.scene.keys import reference
 
 PROGRAM = "graphic-tmm"
+NAMES = graphic_tmm.__all__
 
 
 def key_pages(language: Language) -> Iterator[tuple[str, str]]:
@@ -85,8 +87,16 @@ def _options(command: click.Command, context: click.Context, language: Language)
     return "\n".join(lines) + "\n"
 
 
+def face_links(language: Language) -> str:
+    """Return links to the pages of public names, which are those of the English site."""
+    page = "python/index.md"
+    there = {name: across(f"python/{name}.html", page, "en", language) for name in NAMES}
+    listed = ", ".join(f'<a href="{link}"><code>{name}</code></a>' for name, link in there.items())
+    return f"\n## {word('names', language)}\n\n{word('in English', language)}\n\n{listed}\n"
+
+
 def face_pages() -> Iterator[tuple[str, str]]:
     """Yield a page of each public name, told from its docstring."""
-    for name in graphic_tmm.__all__:
+    for name in NAMES:
         home = getattr(graphic_tmm, name).__module__
         yield f"python/{name}.md", f"# {name}\n\n::: {home}.{name}\n"

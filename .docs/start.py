@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from inspect import cleandoc
 
-from documents import PAGES, ROOT, across
+from documents import PAGES, across, text_of
 from words import Language, word
 
 from graphic_tmm.__main__ import main
@@ -21,11 +21,11 @@ def start_page(language: Language) -> str:
     lines.append(f'<p><a href="{source}"><img class="sheet" src="{source}" alt=""></a></p>\n')
     for document, page in PAGES[language].items():
         if page.startswith("guides/"):
-            heading = (ROOT / document).read_text(encoding="utf-8").partition("\n")[0]
+            heading = text_of(document, language).partition("\n")[0]
             lines.append(f"- [{heading.removeprefix('# ')}]({page})")
     lines += [
         f"- [{word(tab, language)}]({tab}/index.md)"
-        for tab in ("theory", "keys", "commands", "gallery")
+        for tab in ("theory", "keys", "commands", "python", "gallery")
     ]
     english = across("index.html", "index.md", "en", language)
     lines.append(f'- <a href="{english}">{word("more", language)}</a>')

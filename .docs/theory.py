@@ -88,8 +88,23 @@ def _marked(theory: str, language: Language) -> str:
     first, _, rest = theory.partition("\n")
     bold = "|".join(word(name, language) for name in ("draws", "sources"))
     text = re.sub(rf"^({bold}):", r"**\1:**", f"**{first}**\n{rest}\n", flags=re.MULTILINE)
+    text = re.sub(r"^    (.+)$", _displayed, text, flags=re.MULTILINE)
+    text = _INDEX.sub(_indexed, text)
     known = set(scenes())
     return re.sub(r"``([\w-]+)``(?=\))", lambda one: _led(one, known), text)
+
+
+_INDEX = re.compile(r"`[^`]*`|_([^\W_²³]+)|\^(\w|\([^)]*\))")
+
+
+def _indexed(found: re.Match[str]) -> str:
+    """Return an index or an exponent of a formula as one, and code as it is."""
+    low, high = found.groups()
+    return f"<sub>{low}</sub>" if low else f"<sup>{high}</sup>" if high else found[0]
+
+
+def _displayed(found: re.Match[str]) -> str:
+    return f'<p class="formula">{found[1]}</p>'
 
 
 def _led(found: re.Match[str], known: set[str]) -> str:

@@ -14,9 +14,9 @@ WORDS: dict[str, dict[Language, str]] = {
     "theory": {"en": "Theory", "ru": "Теория"},
     "keys": {"en": "Keys of a scene", "ru": "Ключи задания"},
     "commands": {"en": "Commands", "ru": "Команды"},
-    "python": {"en": "In Python", "ru": "Python (англ.)"},
+    "python": {"en": "In Python", "ru": "Python"},
     "gallery": {"en": "Gallery", "ru": "Галерея"},
-    "project": {"en": "Project", "ru": "О проекте (англ.)"},
+    "project": {"en": "Project", "ru": ""},
     "worked": {"en": "Worked: {}", "ru": "Пример: {}"},
     "keys of it": {"en": "Keys", "ru": "Ключи"},
     "shown by": {"en": "Scenes that show it", "ru": "Где это начерчено"},
@@ -37,9 +37,14 @@ WORDS: dict[str, dict[Language, str]] = {
         "en": "",
         "ru": "Задания, которые идут вместе с программой, и листы, вычерченные по ним.",
     },
+    "names": {"en": "", "ru": "Имена"},
+    "in English": {
+        "en": "",
+        "ru": "Справка по каждому имени, взятая из самой программы, — по-английски.",
+    },
     "more": {
         "en": "",
-        "ru": "Python, проверка чертежей, точность, устройство программы (по-английски)",
+        "ru": "Проверка чертежей, точность, устройство программы (по-английски)",
     },
     "whole note": {"en": "The whole note of this scene", "ru": "Вся записка этого задания"},
 }
