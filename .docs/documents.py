@@ -33,6 +33,7 @@ RUSSIAN: Mapping[str, str] = {
     "sheets/start.ru.md": "guides/start.md",
     "sheets/class.ru.md": "guides/class.md",
     "graphic_tmm/scene/README.md": "guides/scene.md",
+    "graphic_tmm/accuracy/README.md": "guides/accuracy.md",
     "graphic_tmm/face/README.md": "python/index.md",
     "graphic_tmm/scene/keys.ru.md": "keys/index.md",
 }
