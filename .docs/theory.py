@@ -94,7 +94,7 @@ def _marked(theory: str, language: Language) -> str:
     return re.sub(r"``([\w-]+)``(?=\))", lambda one: _led(one, known), text)
 
 
-_INDEX = re.compile(r"`[^`]*`|_([^\W_²³]+)|\^(\w|\([^)]*\))")
+_INDEX = re.compile(r"`+[^`]+`+|_([^\W_²³]+)|\^(\w|\([^)]*\))")
 
 
 def _indexed(found: re.Match[str]) -> str:

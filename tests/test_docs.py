@@ -75,6 +75,7 @@ def test_the_page_of_a_chapter_has_theory_and_a_worked_example(site: Path) -> No
         for home in (site, site / "ru"):
             text = (home / "theory" / f"{one.name}.html").read_text(encoding="utf-8")
             assert 'id="worked"' in text
+            assert "&lt;su" not in text
             assert "<svg" in text.partition('id="worked"')[2] or not one.board, one.name
         english = (site / "theory" / f"{one.name}.html").read_text(encoding="utf-8")
         russian = (site / "ru" / "theory" / f"{one.name}.html").read_text(encoding="utf-8")
