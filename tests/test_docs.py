@@ -24,8 +24,6 @@ from graphic_tmm.scene.sections import declared
 DOCS = ROOT / ".docs"
 NEEDED = ("mkdocs", "material", "mkdocstrings", "pypandoc")
 
-pytestmark = pytest.mark.slow
-
 
 @pytest.fixture(scope="module")
 def site(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -51,6 +49,7 @@ def found(site: Path, words: str, language: str) -> set[str]:
     }
 
 
+@pytest.mark.slow
 def test_everything_has_its_page(site: Path) -> None:
     for home in (site, site / "ru"):
         due = {
@@ -70,6 +69,7 @@ def test_everything_has_its_page(site: Path) -> None:
     assert names == set()
 
 
+@pytest.mark.slow
 def test_the_page_of_a_chapter_has_theory_and_a_worked_example(site: Path) -> None:
     for one in chapters():
         for home in (site, site / "ru"):
@@ -129,6 +129,7 @@ def test_a_page_never_falls_back_to_english(monkeypatch: pytest.MonkeyPatch) -> 
     assert translated("a\n  b\n\n    J = 1\n- a\n  b", "ru") == "а б\n\n    J = 1\n- а б"
 
 
+@pytest.mark.slow
 def test_searches_find_pages_in_both_languages(site: Path) -> None:
     assert "theory/forces.html" in found(site, "Zhukovsky lever", "en")
     assert "commands/accuracy.html" in found(site, "--budget", "en") | found(
