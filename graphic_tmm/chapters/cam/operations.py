@@ -220,5 +220,6 @@ def _farthest(curve: Curve, way: Complexes) -> Complexes:
     heights = np.nan_to_num((found * turned).real, nan=-np.inf)
     most = heights.max(axis=1, keepdims=True)
     best = np.argmax(heights >= most - EVEN * np.abs(most), axis=1)
-    whole = (np.isfinite(curve.knots) & np.isfinite(curve.tangents)).all(axis=1)
-    return np.where(whole[:, None], np.take_along_axis(found, best[:, None], axis=1), np.nan)
+    numbers = np.isfinite(curve.knots) & np.isfinite(curve.tangents)
+    whole = np.all(numbers, axis=1, keepdims=True)
+    return np.where(whole, np.take_along_axis(found, best[:, None], axis=1), np.nan)
