@@ -11,7 +11,9 @@ from graphic_tmm.board.operations.formulas import pitch_radius
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
-from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme, Train
+from graphic_tmm.chapters.planetary import words as why
+from graphic_tmm.chapters.planetary.task import Motion, PlanetaryTask, Scheme, Train, motion_of
+from graphic_tmm.chapters.planetary.tooth_conditions import has_least_ring
 
 
 class Condition(NamedTuple):
@@ -31,7 +33,8 @@ class Dimensions:
     """The sizes of a train as marks (Number).
 
     ``teeth``, ``radii`` (m): by the wheel; ``tips`` (m): tip diameters of the satellites' rims, by the wheel.
-    ``axes``: from the main axis to that of a satellite, m. ``ratio``: driving over driven by Willis.
+    ``axes``: from the main axis to that of a satellite, m. ``ratio``: driving over driven by Willis,
+    None of a differential.
     """
 
     teeth: Mapping[str, Mark]
@@ -39,7 +42,7 @@ class Dimensions:
     radii: Mapping[str, Mark]
     tips: Mapping[str, Mark]
     axes: Mark
-    ratio: Mark
+    ratio: Mark | None
     conditions: tuple[Condition, ...]
 
 
@@ -65,7 +68,8 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
     fixed = scheme.wheels[-1]
     axes = _axes(draft, "a_w", scheme.first, first, z["1"], z["2"])
     again = _axes(draft, "a′_w", scheme.second, second, z[fixed], z[rim])
-    ratio = _ratio(draft, order, scheme, z)
+    motion = motion_of(order)
+    ratio = _ratio(draft, motion, scheme, z) if motion.fixed else None
     ha = draft.take(Number, "h_{a}^{*}", order.ha)
     tips = {
         wheel: draft.draw(t.tip_diameter, f"d_{{a{wheel}}}", module, z[wheel], ha, unit="m")
@@ -77,7 +81,7 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
         *_neighbours(draft, train, axes, k, tips),
         Condition("assembly", _assembly(draft, scheme, z, k), "whole", None),
         *_undercut(draft, order, scheme, z),
-        *_interference(draft, order, scheme, z, ha),
+        *_interference(draft, order, scheme, z, ha, {"2": first, rim: second}),
     )
     return Dimensions(z, k, radii, tips, axes, ratio, conditions)
 
@@ -87,19 +91,37 @@ def _axes(draft: Draft, letter: str, sense: int, module: Mark, centre: Mark, rim
     return draft.draw(op, letter, module, centre, rim, unit="m")
 
 
-def _ratio(draft: Draft, order: PlanetaryTask, scheme: Scheme, z: Mapping[str, Mark]) -> Mark:
-    """Calculate driving over driven by the formula of Willis."""
-    letter = "U_{1H}"
+def draw_held(draft: Draft, scheme: Scheme, z: Mapping[str, Mark], letter: str) -> Mark:
+    """Calculate the ratio of wheel 1 to the last wheel with the carrier held."""
     if scheme.rows == 1:
-        found = draft.draw(t.ratio_of_row, letter, z["1"], z["3"])
+        return draft.draw(t.held_row, letter, z["1"], z["3"])
+    return draft.draw(t.held_opposed if scheme.opposed else t.held_alike, letter, *z.values())
+
+
+def _ratio(draft: Draft, motion: Motion, scheme: Scheme, z: Mapping[str, Mark]) -> Mark:
+    """Calculate driving over driven by the formula of Willis."""
+    last, fixed = scheme.wheels[-1], motion.fixed
+    over, under = {last: ("1", "H"), "1": (last, "H"), "H": ("1", last)}[fixed]
+    letter = f"U_{{{over}{under}}}"
+    if fixed == "H":
+        found = draw_held(draft, scheme, z, letter)
     else:
-        op = t.ratio_opposed if scheme.opposed else t.ratio_alike
-        found = draft.draw(op, letter, *z.values())
-    return found if order.driving == "1" else draft.draw(t.inverse_ratio, "U_{H1}", found)
+        own = (
+            [*z.values()]
+            if fixed == last
+            else [z[k] for k in ("2143" if scheme.rows == 2 else "321")]
+        )
+        reason = "" if fixed == last else why.FIRST_STANDS
+        if scheme.rows == 1:
+            found = draft.draw(t.ratio_of_row, letter, own[0], own[-1], why=reason)
+        else:
+            op = t.ratio_opposed if scheme.opposed else t.ratio_alike
+            found = draft.draw(op, letter, *own, why=reason)
+    return found if motion.first == over else draft.draw(t.inverse_ratio, motion.ratio, found)
 
 
-def _wanted(draft: Draft, order: PlanetaryTask, ratio: Mark) -> tuple[Condition, ...]:
-    if order.ratio is None:
+def _wanted(draft: Draft, order: PlanetaryTask, ratio: Mark | None) -> tuple[Condition, ...]:
+    if order.ratio is None or ratio is None:
         return ()
     due = draft.take(Number, "U", order.ratio)
     miss = draft.draw(t.miss_of_ratio, "ΔU", ratio, due, unit="%")
@@ -134,17 +156,29 @@ def _undercut(
 
 
 def _interference(
-    draft: Draft, order: PlanetaryTask, scheme: Scheme, z: Mapping[str, Mark], ha: Mark
+    draft: Draft,
+    order: PlanetaryTask,
+    scheme: Scheme,
+    z: Mapping[str, Mark],
+    ha: Mark,
+    modules: Mapping[str, Mark],
 ) -> tuple[Condition, ...]:
+    """Calculate what keeps tips of rings off the roots of satellites; ``modules``: by the rim."""
     least = draft.take(Number, "Δz_{min}", float(order.limits.difference))
     alpha, made = draft.angle("α", order.alpha), []
     for ring, rim in rings_of(scheme):
         between = draft.draw(t.tooth_difference, f"Δz_{{{ring}{rim}}}", z[ring], z[rim])
-        clear = draft.draw(t.least_ring, f"z_{{{ring}min}}", z[rim], alpha, ha)
-        made += [
-            Condition("interference", between, "≥", least),
-            Condition("interference", z[ring], "≥", clear),
-        ]
+        made.append(Condition("interference", between, "≥", least))
+        if has_least_ring(float(draft.given[z[rim]]), order.alpha, order.ha):  # type: ignore[arg-type]
+            clear = draft.draw(t.least_ring, f"z_{{{ring}min}}", z[rim], alpha, ha)
+            made.append(Condition("interference", z[ring], "≥", clear))
+            continue
+        m = modules[rim]
+        tip = draft.draw(t.tip_of_ring, f"r_{{a{ring}}}", m, z[ring], ha, unit="m")
+        starts = draft.draw(
+            t.least_tip_of_ring, f"r_{{a{ring}min}}", m, z[ring], z[rim], alpha, unit="m"
+        )
+        made.append(Condition("interference", tip, "≥", starts))
     return tuple(made)
 
 

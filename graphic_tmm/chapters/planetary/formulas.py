@@ -101,6 +101,139 @@ def ratio_alike(z1: Number, z2: Number, z3: Number, z4: Number) -> Number:
 
 
 @formula(
+    holds="{z1} ≠ 0",
+    fails=_NO_TEETH,
+    why=said(
+        "With the carrier held the wheels are a plain train; the satellite only hands on (Willis)."
+    ),
+)
+def held_row(z1: Number, z3: Number) -> Number:
+    """−{z3}/{z1}"""
+
+
+@formula(
+    holds="{z1}·{z3} ≠ 0",
+    fails=_NO_TEETH,
+    why=said(
+        "With the carrier held the ratios of both meshes multiply; one of them turns backwards."
+    ),
+)
+def held_opposed(z1: Number, z2: Number, z3: Number, z4: Number) -> Number:
+    """−{z2}·{z4}/({z1}·{z3})"""
+
+
+@formula(
+    holds="{z1}·{z3} ≠ 0",
+    fails=_NO_TEETH,
+    why=said("With the carrier held the ratios of both meshes multiply; their senses are alike."),
+)
+def held_alike(z1: Number, z2: Number, z3: Number, z4: Number) -> Number:
+    """{z2}·{z4}/({z1}·{z3})"""
+
+
+_WILLIS = said(
+    "Seen from the carrier the train is a plain one (Willis): (ω_1 − ω_H)/(ω_n − ω_H) is the ratio with the "
+    "carrier held, and two of the three angular velocities are given."
+)
+
+
+@formula(holds="{held} ≠ 1", fails="the train is locked", why=_WILLIS)
+def rate_of_carrier(held: Number, first: Number, last: Number) -> Number:
+    """({first} − {held}·{last})/(1 − {held})"""
+
+
+@formula(why=_WILLIS)
+def rate_of_first(held: Number, last: Number, carrier: Number) -> Number:
+    """{held}·{last} + (1 − {held})·{carrier}"""
+
+
+@formula(holds="{held} ≠ 0", fails=_NO_TEETH, why=_WILLIS)
+def rate_of_last(held: Number, first: Number, carrier: Number) -> Number:
+    """({first} − (1 − {held})·{carrier})/{held}"""
+
+
+@formula(
+    why=said(
+        "With the carrier held both meshes hand on their share of the power, one after the other."
+    )
+)
+def efficiency_held(mesh: Number) -> Number:
+    """{mesh}²"""
+
+
+_LOST = said(
+    "With the carrier held power flows from the wheel that drives in this motion to the other, which gets the "
+    "share {eta} of it: so are the torques of both."
+)
+
+
+@formula(why=_LOST)
+def ratio_of_torques(held: Number, eta: Number) -> Number:
+    """{held}·{eta}"""
+
+
+@formula(holds="{eta} ≠ 0", fails="no power is handed on", why=_LOST)
+def ratio_of_torques_back(held: Number, eta: Number) -> Number:
+    """{held}/{eta}"""
+
+
+_BALANCE = said(
+    "The torques on the three shafts balance, and the meshes give the ratio of two of them."
+)
+
+
+@formula(why=_BALANCE)
+def torque_of_last(first: Number, ratio: Number) -> Number:
+    """−{first}·{ratio}"""
+
+
+@formula(holds="{ratio} ≠ 0", fails=_NO_TEETH, why=_BALANCE)
+def torque_of_first(last: Number, ratio: Number) -> Number:
+    """−{last}/{ratio}"""
+
+
+@formula(holds="{ratio} ≠ 1", fails="the train is locked", why=_BALANCE)
+def torque_by_carrier(carrier: Number, ratio: Number) -> Number:
+    """−{carrier}/(1 − {ratio})"""
+
+
+@formula(why=_BALANCE)
+def third_torque(one: Number, other: Number) -> Number:
+    """−({one} + {other})"""
+
+
+@formula(
+    holds="{driving}·{omega} ≠ 0",
+    fails="no power is put in",
+    why=said("What power the driven shaft gives of that which is put in."),
+)
+def train_efficiency(
+    driven: Number, omega_driven: Number, driving: Number, omega: Number
+) -> Number:
+    """−{driven}·{omega_driven}/({driving}·{omega})"""
+
+
+@formula(why=said("A revolution is 2π, a minute 60 s."))
+def turns_a_minute(omega: Number) -> Number:
+    """30·{omega}/π"""
+
+
+@formula(
+    why=said(
+        "Between wheel and satellite the tips of the ring end on the circle where the satellite's involute "
+        "begins, or outside it."
+    )
+)
+def tip_of_ring(m: Number, z: Number, ha: Number) -> Number:
+    """{m}·({z}/2 − {ha})"""
+
+
+@formula(why=said("There the line of action touches the base circle of the satellite."))
+def least_tip_of_ring(m: Number, ring: Number, z: Number, alpha: Angle) -> Number:
+    """{m}·√(({ring}·cos{alpha})² + (({ring} − {z})·sin{alpha})²)/2"""
+
+
+@formula(
     holds="{ratio} ≠ 0",
     fails=_STANDS,
     why=said("Driven from the other side the train has the inverse ratio."),

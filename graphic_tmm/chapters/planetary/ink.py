@@ -106,11 +106,11 @@ def circle_letters(ink: TrainInk) -> list[Wanted]:
     end, small = ink.made.end, ink.heights.point
     wanted = [Wanted("O", ink.centre, small, 1.5, -1 + 1j, (end.origin.slot,))]
     for name, at, mark in zip("ABC", ink.points, end.points, strict=True):
-        below = name == "C" and ink.ring(ink.fixed)
+        below = name == "C" and ink.ring(ink.last)
         wanted.append(Wanted(name, at, small, 1.5, 1 - 1j if below else 1 + 1j, (mark.slot,)))
     between = min(180.0 / len(ink.axes), 70.0)
     turns = (90.0 + between, 90.0 - between)
-    wanted += _tooth_numbers(ink, ink.centre, ("1", ink.fixed), turns)
+    wanted += _tooth_numbers(ink, ink.centre, ("1", ink.last), turns)
     wanted += _tooth_numbers(ink, ink.axes[0], ink.wheels[1:-1], (135.0, 330.0))
     of = (end.satellites.slot,)
     last = ink.seen.positions[-1]
@@ -141,7 +141,7 @@ def _tooth_numbers(
 def _free(ink: TrainInk) -> complex:
     """The middle of the longest part of the last arm of the carrier that no circle cuts."""
     axis = ink.radius("H")
-    cuts = [ink.radius("1"), ink.radius(ink.fixed)]
+    cuts = [ink.radius("1"), ink.radius(ink.last)]
     cuts += [axis - ink.radius(w) for w in ink.wheels[1:-1]]
     marks = sorted([0.0, axis, *(cut for cut in cuts if 0.0 < cut < axis)])
     low, high = max(pairwise(marks), key=lambda part: round(part[1] - part[0], 6))
@@ -219,7 +219,7 @@ def _captions(ink: TrainInk, captions: Captions) -> list[list[Label]]:
     One that would stand on another, or on the pair behind the train, goes below it; that of the picture keeps
     clear of the scheme.
     """
-    picture = [z.real for z in (*ink.zeros, *ink.tips)]
+    picture = [z.real for z in (*ink.zeros, *ink.tips.values())]
     rates = [z.real for z in (ink.foot, *ink.ends.values())]
     views = [ink.centre.real - ink.beyond, ink.scheme.right]
     low = min([ink.centre.imag - ink.beyond, *(side.far.imag for side in ink.scheme.pair.values())])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from itertools import pairwise
 
 from graphic_tmm.board.record import Mark, Step
@@ -21,20 +21,29 @@ DOT = 0.5
 
 
 def picture_rules(ink: TrainInk) -> dict[Mark, Rule]:
-    """What stays of the picture: its zero line, the velocities of A and B, the lines of the three bodies."""
-    picture = ink.made.picture
-    o, a, b, c = ink.zeros
+    """What stays of the picture: its zero line, the velocities of A, B and C, the lines of the bodies."""
+    picture, feet = ink.made.picture, dict(zip("OABC", ink.zeros, strict=True))
     high = max(ink.zeros, key=lambda z: z.imag) + 1j * OVER
     zero = ink.seen.by_mark[picture.zeros[1]].uses[0]
-    rules = {zero: _drawn("thin", o, high)}
-    known = next(key for key, mark in picture.readings.items() if not _measured(ink, mark))
-    for key, foot, tip, end in zip("AB", (a, b), ink.tips, picture.ends, strict=True):
+    rules = {zero: _drawn("thin", ink.zeros[0], high)}
+    for key, end in picture.ends.items():
         told = picture.readings[key], picture.speeds[key]
-        rules[end if key == known else told[0]] = _vector(ink, foot, tip, *told)
-    for key, spots in (("1", (o, ink.tips[0])), ("2", (*ink.tips, c)), ("H", (o, ink.tips[1]))):
+        known = not _measured(ink, told[0])
+        rules[end if known else told[0]] = _vector(ink, feet[key], ink.tips[key], *told)
+    for key, spots in body_spots(ink).items():
         low, *_, top = sorted(spots, key=lambda z: z.imag)
         rules[picture.lines[key]] = _drawn("main", low, top)
     return rules
+
+
+def body_spots(ink: TrainInk) -> dict[str, list[complex]]:
+    """Return the points of each body's line: where it stands and where velocities end."""
+    stands = dict(zip("ABC", ink.zeros[1:], strict=True))
+    spots = {"2": [ink.tips.get(at, stands[at]) for at in "ABC"]}
+    for name, at in (("1", "A"), ("H", "B"), (ink.last, "C")):
+        if name in ink.made.picture.lines:
+            spots[name] = [ink.zeros[0], ink.tips[at]]
+    return {name: spots[name] for name in ink.made.picture.lines}
 
 
 def _measured(ink: TrainInk, mark: Mark) -> bool:
@@ -79,7 +88,7 @@ def rate_rules(ink: TrainInk) -> dict[Mark, Rule]:
     """What stays of the plan: the line of angular velocities with its points, the rays from the pole."""
     rates = ink.made.rates
     xs = [ink.foot.real, *(z.real for z in ink.ends.values())]
-    y, base = ink.foot.imag, ink.seen.by_mark[rates.ends["1"]].uses[0]
+    y, base = ink.foot.imag, ink.seen.by_mark[rates.ends["2"]].uses[0]
     rules = {
         base: _drawn("main", complex(min(xs) - OVER, y), complex(max(xs) + OVER, y)),
         rates.foot: _dot(circle("main", ink.foot, DOT, filled=True)),
@@ -108,19 +117,17 @@ def draw_pole(ink: TrainInk) -> Iterator[Ink]:
 def picture_letters(ink: TrainInk) -> list[Wanted]:
     """The letters of the zero line and of the ends of velocities, the bodies of the lines."""
     picture, small = ink.made.picture, ink.heights.point
-    o, a, b, c = ink.zeros
-    away = -1.0 if sum((tip - o).real for tip in ink.tips) > 0.0 else 1.0
+    away = -1.0 if sum((tip - ink.zeros[0]).real for tip in ink.tips.values()) > 0.0 else 1.0
     slots = [(mark.slot,) for mark in picture.zeros]
-    wanted = [Wanted("O", o, small, ASIDE, away - 1j, slots[0])]
-    for name, at, of in zip("ABC", (a, b, c), slots[1:], strict=True):
+    wanted = [Wanted("O", ink.zeros[0], small, ASIDE, away - 1j, slots[0])]
+    for name, at, of in zip("ABC", ink.zeros[1:], slots[1:], strict=True):
         wanted.append(Wanted(name, at, small, ASIDE, away + 1j, of))
-    for text, at, foot, mark in zip("ab", ink.tips, (a, b), picture.ends, strict=True):
-        if abs(at - foot) >= LEAST:
-            wanted.append(Wanted(text, at, small, 0.8, at - foot, (mark.slot,)))
-    lines: dict[str, Sequence[complex]] = {
-        "1": (o, ink.tips[0]), "H": (o, ink.tips[1]), "2": (*ink.tips, c)
-    }  # fmt: skip
-    for key, spots in lines.items():
+    for name, at in ink.tips.items():
+        way = at - ink.zeros["OABC".index(name)]
+        if abs(way) >= LEAST:
+            of = (picture.ends[name].slot,)
+            wanted.append(Wanted(name.lower(), at, small, 0.8, way, of))
+    for key, spots in body_spots(ink).items():
         parts = pairwise(sorted(spots, key=lambda z: z.imag))
         low, high = max(parts, key=lambda part: round(abs(part[1] - part[0]), 6))
         if abs(high - low) > LETTERED:
@@ -137,7 +144,7 @@ def _name(ink: TrainInk, key: str) -> str:
 def rate_letters(ink: TrainInk) -> list[Wanted]:
     """The pole, the fixed wheel and the ends of the segments; ends that coincide share a label."""
     rates, small = ink.made.rates, ink.heights.point
-    named = [Named(ink.foot, ink.fixed, (rates.foot.slot,))]
+    named = [Named(ink.foot, rates.foot.name, (rates.foot.slot,))]
     named += [Named(ink.ends[key], _name(ink, key), (m.slot,)) for key, m in rates.ends.items()]
     letters = lettered(shared(named), small, 0.8, away_from=ink.pole)
     return [*letters, Wanted("P", ink.pole, small, 0.8, -1j, (rates.pole.slot,))]

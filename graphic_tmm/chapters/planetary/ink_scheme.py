@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.planetary.pictures import VIEW, Disc
 from graphic_tmm.chapters.planetary.plan import Planetary
-from graphic_tmm.chapters.planetary.task import Scheme
+from graphic_tmm.chapters.planetary.task import Motion, Scheme
 from graphic_tmm.paper.drawing import Stroke, line
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.seen import Seen
@@ -37,8 +37,8 @@ DISC = 7.0
 """From a turning ring to the disc that carries it, mm."""
 GROUND = 4.0
 """How far the ground of a fixed ring goes on at its sides, mm."""
-HOLLOW = 4.0
-"""Radius of the bore of a fixed wheel through which the shaft of the carrier goes, mm."""
+HOLLOW, HUB = 4.0, 14.0
+"""Radius of the bore of a wheel through which the shaft of the carrier goes, length of its hollow shaft, mm."""
 
 
 class Side(NamedTuple):
@@ -57,31 +57,43 @@ class Side(NamedTuple):
 class Scheme2KH(NamedTuple):
     """What is drawn: the scheme, its wheels, the satellite's axis and the main axis at the arm.
 
-    ``pair``: the wheels behind the train, that on the driven shaft first; ``driving``: the shaft that drives.
+    ``pair``: the wheels behind the train, that on the driven shaft first; ``motion``: which members move.
     """
 
     scheme: Scheme
     wheels: dict[str, Side]
     arm: tuple[complex, complex]
     pair: dict[str, Side]
-    driving: str
+    motion: Motion
 
     @property
     def last(self) -> Side:
-        """The fixed wheel."""
+        """The second central wheel."""
         return self.wheels[self.scheme.wheels[-1]]
 
     @property
     def right(self) -> float:
         """Where the shaft of the carrier ends."""
-        if self.pair and self.driving == "1":
+        if self.pair and self.motion.driven == "H":
             return next(iter(self.pair.values())).centre.real + WIDTH / 2 + STUB
-        return max(self.last.centre.real, self.arm[1].real) + SHAFT + WIDTH / 2
+        beyond = self.hub[1] if self.turns_outside else self.last.centre.real + WIDTH / 2
+        return max(beyond, self.arm[1].real + WIDTH / 2) + SHAFT
+
+    @property
+    def turns_outside(self) -> bool:
+        """Whether the last wheel is a ring that turns, on a hollow shaft around that of the carrier."""
+        return self.scheme.second < 0 and self.motion.fixed != self.scheme.wheels[-1]
+
+    @property
+    def hub(self) -> tuple[float, float]:
+        """From where to where the hollow shaft of such a ring reaches."""
+        start = max(self.last.centre.real + WIDTH / 2, self.arm[1].real + STUB) + DISC
+        return start, start + HUB
 
     @property
     def left(self) -> float:
         """Where the shaft of wheel 1 begins."""
-        if self.pair and self.driving == "H":
+        if self.pair and self.motion.driven == "1":
             return next(iter(self.pair.values())).centre.real - WIDTH / 2 - STUB
         disc = DISC if self.scheme.first < 0 else 0.0
         return self.wheels["1"].centre.real - WIDTH / 2 - disc - SHAFT
@@ -100,7 +112,8 @@ def draw_scheme(made: Scheme2KH) -> Iterator[tuple[str, Strokes]]:
     rims = {name: made.wheels[name] for name in made.scheme.wheels[1:-1]}
     for name, rim in rims.items():
         yield name, gear_side(rim.centre, rim.radius, WIDTH)
-    yield last, tuple(_fixed(made))
+    stands = made.motion.fixed == last
+    yield last, tuple(_ring_on_hub(made) if made.turns_outside else _last(made, stands=stands))
     yield "H", tuple(_carrier(made, list(rims.values())))
     for k, (name, wheel) in enumerate(made.pair.items()):
         own = gear_side(wheel.centre, wheel.radius, WIDTH)
@@ -142,6 +155,8 @@ def _first(made: Scheme2KH, wheel: Side) -> Strokes:
     """Wheel 1 on its shaft; a ring by the disc beside it."""
     end = complex(made.left, 0.0)
     bearing = _bearing(complex(made.bearing_middle, 0.0))
+    if made.motion.fixed == "1":
+        bearing = _built_in(end, -1)
     if made.scheme.first > 0:
         own = gear_side(wheel.centre, wheel.radius, WIDTH)
         return (*own, line("main", end, wheel.centre + WIDTH / 2 + STUB), *bearing)
@@ -166,8 +181,26 @@ def _rim(wheel: Side, sense: int) -> Strokes:
     return (line("main", *(complex(*corner) for corner in corners), closed=True),)
 
 
-def _fixed(made: Scheme2KH) -> list[Stroke]:
-    """The fixed wheel with its ground: a ring outside, a wheel by its hollow hub."""
+def _ring_on_hub(made: Scheme2KH) -> Iterator[Stroke]:
+    """A ring that turns, its disc behind the arm, its hollow shaft around that of the carrier."""
+    wheel, (start, end) = made.last, made.hub
+    for sense in (1, -1):
+        yield from _rim(wheel, sense)
+        rim = complex(wheel.centre.real + WIDTH / 2, sense * (wheel.radius + RIM / 2))
+        low = 1j * sense * HOLLOW
+        yield line("main", rim, complex(start, rim.imag), start + low, end + low)
+        beside = end - HUB / 4 + low + 1j * sense * GAP
+        yield from guide(beside - BEARING, beside, sides=(sense,))
+
+
+def _built_in(at: complex, way: int) -> Strokes:
+    """The end of a shaft that is built into the frame, the hatching to the right (1) or to the left (−1)."""
+    ends = at + 1j * way * GROUND, at - 1j * way * GROUND
+    return (line("main", *ends), *hatching(*ends, 1))
+
+
+def _last(made: Scheme2KH, *, stands: bool) -> list[Stroke]:
+    """A ring with its ground, or a wheel on its hollow hub, on the ground or in a bearing."""
     wheel, half = made.last, WIDTH / 2
     x, strokes = wheel.centre.real, list[Stroke]()
     for sense in (1, -1):
@@ -186,7 +219,11 @@ def _fixed(made: Scheme2KH) -> list[Stroke]:
                 complex(x + half, low),
             )
         )  # fmt: skip
-        strokes += guide(complex(end, low), complex(end, low + sense * 10.0), sides=(-sense,))
+        if stands:
+            strokes += guide(complex(end, low), complex(end, low + sense * 10.0), sides=(-sense,))
+            continue
+        foot, top = (complex(end - x, low + sense * GAP) for x in (BEARING + 1.0, 1.0))
+        strokes += guide(foot, top, sides=(sense,))
     return strokes
 
 
@@ -201,7 +238,11 @@ def _carrier(made: Scheme2KH, rims: list[Side]) -> list[Stroke]:
         strokes.append(line("main", middle - BEARING / 2, middle + BEARING / 2))
     right = complex(made.right, 0)
     strokes += [line("main", foot, axis - 1j * GAP), line("main", foot, right)]
+    if made.motion.fixed == "H":
+        return [*strokes, *_built_in(right, 1)]
     beside = max(made.last.centre.real, foot.real) + WIDTH / 2 + 2 * SHAFT / 3
+    if made.turns_outside:
+        beside = made.hub[1] + SHAFT / 2
     return [*strokes, *_bearing(complex(beside, 0.0))]
 
 
@@ -233,13 +274,14 @@ ASIDE = 2.2
 class TrainInk:
     """The places of a train's marks, mm.
 
-    ``points``: A, B, C of the circles; ``zeros``: O, A, B, C beside them; ``tips``: a and b of the velocities.
+    ``points``: A, B, C of the circles; ``zeros``: O, A, B, C beside them; ``tips``: ends of velocities by
+    the point.
     """
 
     def __init__(self, seen: Seen, made: Planetary, heights: Heights) -> None:
         self.seen, self.made, self.heights = seen, made, heights
         self.wheels = made.train.scheme.wheels
-        self.fixed = self.wheels[-1]
+        self.last, self.fixed = self.wheels[-1], made.motion.fixed
         discs = {wheel: self.side(disc) for wheel, disc in made.axial.discs.items()}
         pair = made.pair.discs if made.pair is not None else {}
         axis, foot = (self.fixed_place(mark) for mark in made.axial.arm)
@@ -248,12 +290,12 @@ class TrainInk:
             discs,
             (axis, foot),
             {wheel: self.side(disc) for wheel, disc in pair.items()},
-            made.order.driving,
+            made.motion,
         )
         self.centre = self.fixed_place(made.end.origin)
         self.points = [self.fixed_place(mark) for mark in made.end.points]
         self.zeros = [self.fixed_place(mark) for mark in made.picture.zeros]
-        self.tips = [self.fixed_place(mark) for mark in made.picture.ends]
+        self.tips = {at: self.fixed_place(mark) for at, mark in made.picture.ends.items()}
         self.pole, self.foot = self.fixed_place(made.rates.pole), self.fixed_place(made.rates.foot)
         self.ends = {body: self.fixed_place(mark) for body, mark in made.rates.ends.items()}
         self.axes = [seen.point(made.end.satellites, k) for k in seen.positions]
@@ -282,7 +324,7 @@ class TrainInk:
 
     def _reach(self) -> float:
         """The radius that the view along the axis takes."""
-        out = [self.radius(w) + (RIM if self.ring(w) else 0.0) for w in ("1", self.fixed)]
+        out = [self.radius(w) + (RIM if self.ring(w) else 0.0) for w in ("1", self.last)]
         rims = [self.radius(w) for w in self.wheels[1:-1]]
         return max(*out, self.radius("H") + max(rims))
 

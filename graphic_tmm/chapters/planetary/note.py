@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.planetary.plan import Planetary
+from graphic_tmm.chapters.planetary.tooth_conditions import check
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Runs
 from graphic_tmm.note.page import RESULTS, Page
@@ -21,16 +22,31 @@ SEVERAL = said(
 ONE = said("All conditions of the train hold: its wheels have a common axis, no tooth is undercut.")
 
 
+BROKEN = said("The train moves as drawn, but it cannot be made as it is: {conditions}.")
+FASTER = said(
+    "The driven shaft turns at {planetary_omega} by Willis and {planetary_omega_drawn} as drawn, "
+    "{planetary_difference} apart."
+)
+EFFICIENCY = said(
+    "Of the power that is put in the train hands on the share {planetary_efficiency}."
+)
+
+
 class TrainPage(Page[Planetary]):
     """What is measured on a train stands where it is measured, in no table of its own."""
 
     tables = (RESULTS,)
-    by_results = (RATIO,)
+    by_results = (RATIO, FASTER, EFFICIENCY)
 
     def concludes(self) -> Iterator[Runs]:
-        """Yield the ratio, and that the conditions hold: a train that breaks one is refused."""
+        """Yield the ratio, and that the conditions hold, or which are broken."""
         yield from super().concludes()
-        yield self.sentence(SEVERAL if "planetary_most" in self.results else ONE)
+        made = self.recorded
+        broken = [one.text for one in check(made.order, made.train) if not one.holds]
+        if broken:
+            yield self.sentence(BROKEN, conditions="; ".join(map(self.speech, broken)))
+        else:
+            yield self.sentence(SEVERAL if "planetary_most" in self.results else ONE)
 
 
 NOTE = Noted(TrainPage)

@@ -200,6 +200,7 @@ def draw_pair(
     for name, count in zip(names, order.behind, strict=True):
         bound_of(PlanetaryTask, "behind").refuse("planetary", "behind", count)
         teeth.append(draft.take(Number, f"z_{name}", float(count)))
+    assert sizes.ratio is not None
     ratio = draft.draw(overall_ratio, "U_0", sizes.ratio, teeth[1], teeth[0])
     radii = []
     for name, z in zip(names, teeth, strict=True):

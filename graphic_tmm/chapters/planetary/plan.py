@@ -22,7 +22,14 @@ from graphic_tmm.chapters.planetary.pictures import (
     draw_pair,
 )
 from graphic_tmm.chapters.planetary.rates import Rates, VelocityPicture, draw_picture, draw_rates
-from graphic_tmm.chapters.planetary.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Train
+from graphic_tmm.chapters.planetary.task import (
+    ASKED,
+    PLANETARY_TRAIN,
+    Motion,
+    PlanetaryTask,
+    Train,
+    motion_of,
+)
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
@@ -50,6 +57,7 @@ class Drawn:
     """What scales are chosen for: train, views, picture, plan, the pair behind it; the share of usual room."""
 
     order: PlanetaryTask
+    motion: Motion
     train: Train
     end: EndView
     axial: AxialView
@@ -89,7 +97,7 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
     """
     size, outside = drawn.size, drawn.train.scheme.second > 0
     first = _reach(draft, drawn) + BESIDE * size
-    if drawn.pair is not None and drawn.order.driving == "H":
+    if drawn.pair is not None and drawn.motion.driven == "1":
         draft.given[drawn.pair.station] = first
         first += SHAFT
     last = first + ROW * size * (drawn.train.scheme.rows - 1)
@@ -97,10 +105,11 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
     draft.given |= {stations["I"]: first, stations["H"]: arm}
     if "II" in stations:
         draft.given[stations["II"]] = last
-    tips = execute(draft.board.construction(), draft.given, drawn.picture.ends)
-    left = min(float(tips[mark][0, 0].real) for mark in drawn.picture.ends)
+    marks = tuple(drawn.picture.ends.values())
+    tips = execute(draft.board.construction(), draft.given, marks)
+    left = min(float(tips[mark][0, 0].real) for mark in marks)
     zero = last + size * ARM + max(PICTURE * size, CLEAR) + max(0.0, -left)
-    if drawn.pair is not None and drawn.order.driving == "1":
+    if drawn.pair is not None and drawn.motion.driven == "H":
         station = max(last, arm) + SHAFT
         draft.given[drawn.pair.station] = station
         ends = tuple(drawn.rates.ends.values())
@@ -136,6 +145,7 @@ class Planetary:
     """
 
     order: PlanetaryTask
+    motion: Motion
     train: Train
     mu: Mark
     sizes: Dimensions
@@ -179,16 +189,18 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
     end = draw_end_view(draft, train, sizes)
     axial = draw_axial_view(draft, train, end)
     pair = draw_pair(draft, order, train, sizes, end)
-    picture = draw_picture(draft, order, end, sizes)
-    rates = draw_rates(draft, order, train, end, sizes, picture)
+    motion = motion_of(order)
+    picture = draw_picture(draft, motion, end, sizes)
+    rates = draw_rates(draft, motion, train, end, sizes, picture)
+    found = "ratio" if motion.fixed else "omega"
     results = {f"planetary_z{wheel}": mark for wheel, mark in sizes.teeth.items()}
     results |= {
         "planetary_satellites": sizes.satellites,
-        "planetary_ratio": sizes.ratio,
-        "planetary_ratio_drawn": rates.ratio,
+        f"planetary_{found}": rates.due,
+        f"planetary_{found}_drawn": rates.drawn,
         "planetary_difference": rates.difference,
     }
     if pair is not None:
         results["overall_ratio"] = pair.ratio
-    choose_scales(draft, Drawn(order, train, end, axial, picture, rates, pair, size))
-    return Planetary(order, train, mu, sizes, end, axial, picture, rates, results, pair)
+    choose_scales(draft, Drawn(order, motion, train, end, axial, picture, rates, pair, size))
+    return Planetary(order, motion, train, mu, sizes, end, axial, picture, rates, results, pair)

@@ -22,14 +22,17 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.planetary import formulas as f
 from graphic_tmm.chapters.planetary import words as why
-from graphic_tmm.chapters.planetary.dimensions import Dimensions
+from graphic_tmm.chapters.planetary.dimensions import Dimensions, draw_held
 from graphic_tmm.chapters.planetary.formulas import miss_of_ratio, ratio_of_segments
 from graphic_tmm.chapters.planetary.pictures import EndView
-from graphic_tmm.chapters.planetary.task import PlanetaryTask, Train
+from graphic_tmm.chapters.planetary.task import Motion, Train
 
 VELOCITIES = "planetary-velocities"
 RATES = "planetary-rates"
+STANDS = "0"
+"""The frame, on the plan of a differential, in which no member stands."""
 
 
 @dataclass(frozen=True)
@@ -37,17 +40,19 @@ class VelocityPicture:
     """The picture of linear velocities.
 
     ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it; ``ends``:
-    those of the velocities of A and B; ``lines``: of wheel "1", the satellites "2", the carrier "H";
-    ``readings``: the velocities by point, one laid off, one measured (Length); ``speeds`` the same in m/s.
+    those of velocities, by the point; ``lines``: of the bodies that move, satellites as "2"; ``readings``: the
+    velocities by point, laid off and the last one measured (Length); ``speeds`` the same in m/s; ``omegas``:
+    what is given, 1/s, by the member.
     """
 
     mu: Mark
     place: Mark
     zeros: tuple[Mark, Mark, Mark, Mark]
-    ends: tuple[Mark, Mark]
+    ends: Mapping[str, Mark]
     lines: Mapping[str, Mark]
     readings: Mapping[str, Mark]
     speeds: Mapping[str, Mark]
+    omegas: Mapping[str, Mark]
 
 
 @dataclass(frozen=True)
@@ -55,8 +60,9 @@ class Rates:
     """The plan of angular velocities.
 
     ``depth``: how far below the axis its line lies (Length, given); ``distance``: H of the pole (Length,
-    given); ``foot``: the fixed wheel; ``ends``, ``segments``, ``values`` (1/s): of "1", "2" and "H".
-    ``ratio``: driving over driven as measured; ``difference`` from the formula, %.
+    given); ``foot``: what stands; ``ends``, ``segments``, ``values`` (1/s): of the bodies that move. ``due`` by
+    Willis, ``drawn`` as measured: driving over driven, or a differential's third angular velocity, 1/s;
+    ``difference`` of both, %.
     """
 
     mu: Mark
@@ -67,14 +73,13 @@ class Rates:
     ends: Mapping[str, Mark]
     segments: Mapping[str, Mark]
     values: Mapping[str, Mark]
-    ratio: Mark
+    due: Mark
+    drawn: Mark
     difference: Mark
 
 
-def draw_picture(
-    draft: Draft, order: PlanetaryTask, end: EndView, sizes: Dimensions
-) -> VelocityPicture:
-    """Draw the picture from the velocity of the driving shaft: of A if wheel 1 drives, of B if the carrier."""
+def draw_picture(draft: Draft, motion: Motion, end: EndView, sizes: Dimensions) -> VelocityPicture:
+    """Draw the picture from two points of the satellite that are known, of A, its axis B and C."""
     draft.open(VELOCITIES)
     mu = draft.scale("μ_v", "(m/s)/mm")
     draft.lay_out()
@@ -83,41 +88,55 @@ def draw_picture(
     zero = draft.draw(square, "(0)", origin, end.axis, sense=1, why=why.ZERO)
     pairs = zip(end.points, end.levels, strict=True)
     a, b, c = (draft.draw(meet, point.letter, zero, level, why=why.ZERO) for point, level in pairs)
-    feet, levels = {"A": a, "B": b}, {"A": end.levels.A, "B": end.levels.B}
-    known, sought = ("A", "B") if order.driving == "1" else ("B", "A")
-    tip, other = known.lower(), sought.lower()
-    omega = draft.take(Number, f"ω_{order.driving}", order.speed, "1/s")
-    arm = sizes.radii["1"] if known == "A" else sizes.axes
-    speed = draft.draw(product, f"v_{known}", omega, arm, unit="m/s")
-    length = draft.draw(to_board, f"{known}{tip}", speed)
-    along = draft.draw(
-        parallel, f"({known}{tip})", feet[known], levels[known], sense=1, why=why.KNOWN_VELOCITY
+    feet, levels = {"A": a, "B": b, "C": c}, end.levels._asdict()
+    points = {"1": "A", "H": "B", motion.last: "C"}
+    arms = {"A": sizes.radii["1"], "B": sizes.axes, "C": sizes.radii[motion.last]}
+    tips, readings, speeds, omegas = (
+        dict[str, Mark](),
+        dict[str, Mark](),
+        dict[str, Mark](),
+        dict[str, Mark](),
     )
-    tips = {known: draft.draw(lay_off, tip, along, length, why=why.KNOWN_VELOCITY)}
-    satellite = draft.draw(join, f"(C{tip})", c, tips[known], why=why.SATELLITE_LINE)
-    tips[sought] = draft.draw(meet, other, satellite, levels[sought], why=why.SOUGHT_VELOCITY)
-    lines = {
-        "1": draft.draw(join, "(Oa)", origin, tips["A"], why=why.BODY_LINE),
-        "2": satellite,
-        "H": draft.draw(join, "(Ob)", origin, tips["B"], why=why.BODY_LINE),
-    }
-    read = draft.draw(
+    for member, given in motion.driving.items():
+        at = points[member]
+        omegas[member] = draft.take(Number, f"ω_{member}", given, "1/s")
+        speeds[at] = draft.draw(product, f"v_{at}", omegas[member], arms[at], unit="m/s")
+        readings[at] = draft.draw(to_board, f"{at}{at.lower()}", speeds[at])
+        along = draft.draw(
+            parallel, f"({at}{at.lower()})", feet[at], levels[at], sense=1, why=why.KNOWN_VELOCITY
+        )
+        tips[at] = draft.draw(lay_off, at.lower(), along, readings[at], why=why.KNOWN_VELOCITY)
+    known = [feet[points[motion.fixed]], *tips.values()] if motion.fixed else [*tips.values()]
+    letter = "".join(mark.letter for mark in known)
+    reason = why.SATELLITE_LINE if motion.fixed == motion.last else why.SATELLITE_OF_TWO
+    satellite = draft.draw(join, f"({letter})", *known, why=reason)
+    sought = points[motion.driven]
+    tips[sought] = draft.draw(
+        meet, sought.lower(), satellite, levels[sought], why=why.SOUGHT_VELOCITY
+    )
+    lines = {}
+    for body in ("1", "2", motion.last, "H"):
+        if body == "2":
+            lines[body] = satellite
+        elif body != motion.fixed:
+            tip = tips[points[body]]
+            lines[body] = draft.draw(join, f"(O{tip.letter})", origin, tip, why=why.BODY_LINE)
+    readings[sought] = draft.draw(
         measure_along,
-        f"{sought}{other}",
+        f"{sought}{sought.lower()}",
         feet[sought],
         tips[sought],
         end.axis,
         why=why.VELOCITY_READ,
     )
-    found = draft.draw(in_si, f"v_{sought}", read, unit="m/s")
-    readings, speeds = {known: length, sought: read}, {known: speed, sought: found}
-    ends = (tips["A"], tips["B"])
-    return VelocityPicture(mu, place, (origin, a, b, c), ends, lines, readings, speeds)
+    speeds[sought] = draft.draw(in_si, f"v_{sought}", readings[sought], unit="m/s")
+    ends = {point: tips[point] for point in "ABC" if point in tips}
+    return VelocityPicture(mu, place, (origin, a, b, c), ends, lines, readings, speeds, omegas)
 
 
 def draw_rates(
     draft: Draft,
-    order: PlanetaryTask,
+    motion: Motion,
     train: Train,
     end: EndView,
     sizes: Dimensions,
@@ -128,7 +147,7 @@ def draw_rates(
     distance = draft.ask(Length, "H_ω", "mm")
     depth = draft.ask(Length, "y_ω", "mm")
     mu = draft.draw(scale_of_derivative, "μ_ω", picture.mu, draft.mu_l, distance, unit="(1/s)/mm")
-    fixed = train.scheme.wheels[-1]
+    fixed = motion.fixed or STANDS
     down = draft.draw(square, "(Oy)", picture.zeros[0], end.axis, sense=-1, why=why.RATES_LINE)
     foot = draft.draw(lay_off, fixed, down, depth, why=why.RATES_LINE)
     line = draft.draw(parallel, "(ω)", foot, end.axis, sense=1, why=why.RATES_LINE)
@@ -143,9 +162,17 @@ def draw_rates(
             measure_along, f"s_{body}", foot, ends[body], line, why=why.RATE_READ
         )
         values[body] = draft.draw(in_si, f"ω_{body}", segments[body], unit="1/s")
-    driving, driven = ("1", "H") if order.driving == "1" else ("H", "1")
-    ratio = draft.draw(
-        ratio_of_segments, f"U′_{{{driving}{driven}}}", segments[driving], segments[driven]
-    )
-    difference = draft.draw(miss_of_ratio, "ΔU", ratio, sizes.ratio, unit="%")
-    return Rates(mu, depth, distance, pole, foot, ends, segments, values, ratio, difference)
+    driven = motion.driven
+    if sizes.ratio is not None:
+        letter = f"U′_{{{motion.first}{driven}}}"
+        drawn = draft.draw(ratio_of_segments, letter, segments[motion.first], segments[driven])
+        due = sizes.ratio
+        difference = draft.draw(miss_of_ratio, "ΔU", drawn, due, unit="%")
+    else:
+        held = draw_held(draft, train.scheme, sizes.teeth, f"U_{{1{motion.last}}}^{{H}}")
+        op = {"1": f.rate_of_first, "H": f.rate_of_carrier}.get(driven, f.rate_of_last)
+        given = (picture.omegas[name] for name in ("1", motion.last, "H") if name != driven)
+        due = draft.draw(op, f"ω′_{driven}", held, *given, unit="1/s")
+        drawn = values[driven]
+        difference = draft.draw(miss_of_ratio, "Δω", drawn, due, unit="%")
+    return Rates(mu, depth, distance, pole, foot, ends, segments, values, due, drawn, difference)

@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
-from graphic_tmm.chapters.planetary.dimensions import rings_of
+from graphic_tmm.chapters.planetary.dimensions import draw_held, rings_of
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary, record
 from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
+from graphic_tmm.chapters.planetary.tooth_conditions import first_drives
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
 
-CALCULATED, BEHIND = "planetary-calculation", "planetary-behind"
+CALCULATED, BEHIND, TORQUES = "planetary-calculation", "planetary-behind", "planetary-torques"
 """The views of what is calculated of the train, and behind it."""
 
 
@@ -23,14 +25,19 @@ class Aside(NamedTuple):
 
     ``stopped``: the ratio of each mesh while the carrier stands; ``ring``, ``satellite``: the teeth of a train
     of one row that its ratio asks for, not yet whole; ``most``: the largest number of satellites whose teeth do
-    not touch; ``speed``: of the last wheel behind the train, rpm, without sign. None where there is no such
-    thing.
+    not touch; ``turns``: of the bodies that move, as drawn, rpm; ``torques`` on the three shafts, N·m, and the
+    ``efficiency`` where one drives, if asked for, by the numbers of what is ``lost``; ``speed``: of the last
+    wheel behind the train, rpm, without sign. None where there is no such thing.
     """
 
     stopped: tuple[Mark, ...]
     ring: Mark | None
     satellite: Mark | None
     most: Mark | None
+    turns: Mapping[str, Mark]
+    lost: tuple[Mark, ...]
+    torques: Mapping[str, Mark]
+    efficiency: Mark | None
     speed: Mark | None
 
 
@@ -42,17 +49,23 @@ def record_beside(bench: Bench) -> Aside:
     made = PLANETARY_PLAN.on(bench)
     bench.draft.open(CALCULATED)
     ring, satellite = _teeth_for_ratio(bench, made)
-    return Aside(_stopped(bench, made), ring, satellite, _most(bench, made), _speed(bench, made))
+    stopped, most = _stopped(bench, made), _most(bench, made)
+    turns = {
+        body: bench.draft.draw(t.turns_a_minute, f"n_{body}", omega, unit="rpm")
+        for body, omega in made.rates.values.items()
+    }
+    lost, torques, share = _torques(bench, made)
+    return Aside(stopped, ring, satellite, most, turns, lost, torques, share, _speed(bench, made))
 
 
 def _teeth_for_ratio(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark | None]:
     """Calculate the teeth of ring and satellite from those of the sun and the ratio."""
     order, draft = made.order, bench.draft
-    if made.train.scheme.rows != 1 or order.ratio is None:
+    if made.train.scheme.rows != 1 or order.ratio is None or made.motion.fixed != "3":
         return None, None
     sun = made.sizes.teeth["1"]
     wanted = draft.take(Number, "U", order.ratio)
-    asked = t.teeth_of_ring if order.driving == "1" else t.teeth_of_driven_ring
+    asked = t.teeth_of_ring if made.motion.first == "1" else t.teeth_of_driven_ring
     ring = draft.draw(asked, "z′_3", sun, wanted)
     return ring, draft.draw(t.teeth_between, "z′_2", ring, sun)
 
@@ -84,13 +97,60 @@ def _most(bench: Bench, made: Planetary) -> Mark | None:
     return draft.draw(t.fewer, "k_{max}", *rims)
 
 
+def _torques(
+    bench: Bench, made: Planetary
+) -> tuple[tuple[Mark, ...], dict[str, Mark], Mark | None]:
+    """Calculate the torques on the shafts from that on the driving one; the efficiency if one drives."""
+    order, motion, draft = made.order, made.motion, bench.draft
+    if order.moment is None:
+        return (), {}, None
+    bench.draft.open(TORQUES)
+    first, last = motion.first, motion.last
+    given = math.copysign(order.moment, motion.driving[first])
+    torques = {first: draft.take(Number, f"M_{first}", given, "N·m")}
+    ratio = draw_held(draft, made.train.scheme, made.sizes.teeth, f"U_{{1{last}}}^{{H}}")
+    lost = [ratio]
+    if order.mesh_efficiency < 1.0:
+        mesh = draft.take(Number, "η_m", order.mesh_efficiency)
+        held = draft.draw(t.efficiency_held, "η_0", mesh)
+        forward = first_drives(made.train, motion)
+        op = t.ratio_of_torques if forward else t.ratio_of_torques_back
+        ratio = draft.draw(op, "u", ratio, held)
+        lost += [held, ratio]
+    if first == "H":
+        torques["1"] = draft.draw(t.torque_by_carrier, "M_1", torques["H"], ratio, unit="N·m")
+        others = ("H", "1", last)
+    else:
+        op = t.torque_of_last if first == "1" else t.torque_of_first
+        other = last if first == "1" else "1"
+        torques[other] = draft.draw(op, f"M_{other}", torques[first], ratio, unit="N·m")
+        others = (first, other, "H")
+    one, two, third = others
+    torques[third] = draft.draw(
+        t.third_torque, f"M_{third}", torques[one], torques[two], unit="N·m"
+    )
+    if not motion.fixed:
+        return tuple(lost), torques, None
+    rates = made.rates.values
+    share = draft.draw(
+        t.train_efficiency,
+        "η",
+        torques[motion.driven],
+        rates[motion.driven],
+        torques[first],
+        rates[first],
+    )
+    return tuple(lost), torques, share
+
+
 def _speed(bench: Bench, made: Planetary) -> Mark | None:
     """Calculate the speed of the last wheel of a pair behind the train."""
     if made.pair is None:
         return None
     bench.draft.open(BEHIND)
-    turns = abs(made.order.speed) * 30.0 / math.pi
-    driving = bench.draft.take(Number, f"n_{made.order.driving}", turns, "rpm")
+    first = made.motion.first
+    turns = abs(made.motion.driving[first]) * 30.0 / math.pi
+    driving = bench.draft.take(Number, f"n_{first}", turns, "rpm")
     last = len(made.train.scheme.wheels) + 2
     return bench.draft.draw(t.speed_behind, f"n_{last}", driving, made.pair.ratio, unit="rpm")
 

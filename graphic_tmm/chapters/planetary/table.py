@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+import operator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -14,6 +16,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.chapters.planetary.dimensions import Condition
+from graphic_tmm.chapters.planetary.formulas import inverse_ratio, turns_a_minute
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.chapters.planetary.record import BESIDE
 from graphic_tmm.chapters.planetary.tooth_search import Solutions, search
@@ -41,6 +44,10 @@ def train_results(drawn: Drawn) -> Results:
     found |= {f"planetary_mesh_{k}": mark for k, mark in enumerate(beside.stopped, 1)}
     if beside.most is not None:
         found["planetary_most"] = beside.most
+    found |= {f"planetary_n_{body}": mark for body, mark in beside.turns.items()}
+    found |= {f"planetary_M_{member}": mark for member, mark in beside.torques.items()}
+    if beside.efficiency is not None:
+        found["planetary_efficiency"] = beside.efficiency
     return results_of(drawn, found)
 
 
@@ -60,6 +67,7 @@ WORDS = Tongues(
         "undercut": said("no undercut"),
         "interference": said("no interference"),
         "whole": said("whole"),
+        "not whole": said("not whole"),
         "rates": said("Angular velocities from the plan"),
         "body": said("Link"),
         "segment": said("Segment"),
@@ -103,24 +111,29 @@ def condition_table(
 def rate_table(
     construction: Construction, reading: Reading, made: Planetary, language: str, heights: Heights
 ) -> Drawing:
-    """Return the table of segments and angular velocities, with the ratio measured and by the formula."""
+    """Return the table of segments and angular velocities, 1/s and rpm."""
     words, log, rates = WORDS[language], _Log(construction, reading, language), made.rates
     block = ", ".join(made.train.scheme.wheels[1:-1])
     lengths = [np.array([log.value(segment)]) for segment in rates.segments.values()]
     omegas = [np.array([log.value(rates.values[body])]) for body in rates.segments]
-    (figures,) = rounded_figures(
-        [listed("", "", "ω", "1/s", omegas, tuple(rates.segments), lengths)]
-    )
+    minute = [turns_a_minute.run(omega) for omega in omegas]
+    columns = [
+        listed("", "", symbol, of, row, tuple(rates.segments), lengths)
+        for symbol, of, row in (("ω", "1/s", omegas), ("n", "rpm", minute))
+    ]
+    figures, by_minute = rounded_figures(columns)
     rows = []
     for k, (body, segment) in enumerate(rates.segments.items()):
         mm = fixed(figures.mm[k], figures.mm_places, language)
         omega = fixed(figures.value[k], figures.places, language)
-        rows.append([block if body == "2" else body, segment.name, mm, omega])
+        n = fixed(by_minute.value[k], by_minute.places, language)
+        rows.append([block if body == "2" else body, segment.name, mm, omega, n])
     heads = [
         words["body"],
         words["segment"],
         unit("mm", language),
         f"ω, {unit('1/s', language)}",
+        f"n, {unit('rpm', language)}",
     ]
     return breakable(
         "table-planetary-rates",
@@ -138,10 +151,18 @@ def ratio_lines(
     construction: Construction, reading: Reading, made: Planetary, language: str
 ) -> tuple[str, ...]:
     """Return, as mark-up, the ratio by Willis, the ratio measured, and how far they differ."""
+    due = construction.step(made.rates.due)
+    willis = due.uses if due is not None and due.op is inverse_ratio else ()
+    marks = (*willis, made.rates.due, made.rates.drawn, made.rates.difference)
+    return calculated_lines(construction, reading, marks, language)
+
+
+def calculated_lines(
+    construction: Construction, reading: Reading, marks: Iterable[Mark], language: str
+) -> tuple[str, ...]:
+    """Return, as mark-up, how marks are calculated, in letters and numbers, a line each."""
     log = _Log(construction, reading, language)
-    return tuple(
-        log.calculated(mark) for mark in (made.sizes.ratio, made.rates.ratio, made.rates.difference)
-    )
+    return tuple(log.calculated(mark) for mark in marks)
 
 
 def trains_wanted(made: Planetary) -> Solutions | None:
@@ -171,6 +192,12 @@ def train_table(
         title_size=heights.title,
         lead=1,
     )
+
+
+RELATIONS: Mapping[str, tuple[Callable[[float, float], bool], str]] = MappingProxyType(
+    {">": (operator.gt, "≤"), "≥": (operator.ge, "<"), "≤": (operator.le, ">")}
+)
+"""What a relation says of two numbers, and the one that holds where it does not."""
 
 
 class _Log:
@@ -212,13 +239,20 @@ class _Log:
         return " = ".join([*parts, self.figure(mark)])
 
     def condition(self, condition: Condition) -> tuple[str, ...]:
-        """A condition: what is calculated, the relation, what it is compared with; an equality in two lines."""
+        """A condition: what is calculated, the relation, what it is compared with; an equality in two lines.
+
+        Of one that is broken the relation is the one that is there.
+        """
         left, right = self.calculated(condition.left), condition.right
         if right is None:
-            return (f"{left} – {WORDS[self.language]['whole']}",)
+            value = self.value(condition.left)
+            word = "whole" if value == round(value) else "not whole"
+            return (f"{left} – {WORDS[self.language][word]}",)
         if condition.relation == "=":
             return left, f"{self.calculated(right)} = {condition.left.name}"
-        return (f"{left} {condition.relation} {right.name} = {self.figure(right)}",)
+        holds, broken = RELATIONS[condition.relation]
+        there = condition.relation if holds(*map(self.value, (condition.left, right))) else broken
+        return (f"{left} {there} {right.name} = {self.figure(right)}",)
 
 
 CONDITIONS, TRAINS = "planetary-conditions", "planetary-trains"

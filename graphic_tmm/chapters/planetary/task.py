@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.bounds import Bound, TaskError
 from graphic_tmm.language.said import said
@@ -61,6 +61,29 @@ SCHEMES: Mapping[str, Scheme] = MappingProxyType(
 """The schemes by name."""
 
 
+class Motion(NamedTuple):
+    """Which of the three coaxial members of a train move, and how.
+
+    ``driving``: angular velocities that are given, 1/s, by the member; ``fixed``: the member that stands, "" in
+    a differential, where two are given; ``driven``: the one that is left; ``last``: the second central wheel.
+    """
+
+    driving: Mapping[str, float]
+    fixed: str
+    driven: str
+    last: str
+
+    @property
+    def first(self) -> str:
+        """The member that drives, or the first of two."""
+        return next(iter(self.driving))
+
+    @property
+    def ratio(self) -> str:
+        """The letter of the ratio; driving over driven."""
+        return f"U_{{{self.first}{self.driven}}}"
+
+
 @dataclass(frozen=True)
 class Limits:
     """Limits on tooth numbers: ``least`` and ``most`` of a wheel with external teeth, ``ring_most`` of a ring.
@@ -78,6 +101,12 @@ class Limits:
 _TEETH = Bound(1, 1000, whole=True)
 _SATELLITES = Bound(1, 49, whole=True)
 _RATIO = Bound(-10_000, 10_000)
+
+
+def either(kind: Kind) -> dict[str, Any]:
+    """Return the schema of a value, or of a list of two."""
+    own = kind.schema({})
+    return {"anyOf": [own, {"type": "array", "items": own, "minItems": 2, "maxItems": 2}]}
 
 
 def _ratio(value: object, names: Names) -> float:
@@ -115,6 +144,30 @@ def _pair(value: object, names: Names) -> tuple[int, ...]:
     return tuple(z for z in found if z is not None)
 
 
+def _speeds(value: object, names: Names) -> float | tuple[float, ...]:
+    if not isinstance(value, list):
+        return v.SPEED.read(value, names)  # type: ignore[no-any-return]
+    if len(value) != 2:
+        says = said('two shafts of a differential drive: write ["100 rpm", "-20 rpm"]')
+        raise ValueError(stands(value, says))
+    found = tuple(_SIGNED.read(one, names) for one in value)
+    if 0.0 in found:
+        says = said(
+            "a shaft that stands does not drive: give the speed of the other alone, and what is fixed"
+        )
+        raise ValueError(stands(value, says))
+    return found
+
+
+def _drivers(value: object, names: Names) -> str | tuple[str, ...]:
+    if not isinstance(value, list):
+        return _MEMBER.read(value, names)  # type: ignore[no-any-return]
+    found = tuple(_MEMBER.read(one, names) for one in value)
+    if len(found) != 2 or found[0] == found[1]:
+        raise ValueError(stands(value, said('two different members drive: write ["1", "H"]')))
+    return found
+
+
 def _satellites(value: object, names: Names) -> tuple[int, ...]:
     listed = value if isinstance(value, list) else [value]
     if not listed or not all(isinstance(k, int) and _SATELLITES.holds(k) for k in listed):
@@ -123,6 +176,10 @@ def _satellites(value: object, names: Names) -> tuple[int, ...]:
 
 
 _COUNT = v.number(_TEETH)
+_SIGNED = v.quantity("angular speed")
+_MEMBER = v.choice("1", "3", "4", "H")
+_SPEEDS = Kind(_speeds, either(v.SPEED), unit="angular speed")
+_DRIVERS = Kind(_drivers, either(_MEMBER))
 _ASKED = Kind(
     _teeth,
     {
@@ -149,14 +206,17 @@ class PlanetaryTask:
 
     ``scheme``: "ring", "external-internal", "external-external" or "internal-internal". ``module``: of the
     first row, m; ``module_2`` of the second, that of the first if None. ``speed``: angular velocity of the
-    driving shaft, rad/s, with its sign. ``driving``: "1" or "H", the shaft that drives; the other is driven.
-    ``ratio``: the ratio wanted, driving over driven angular velocity, U_1H or U_H1, with its sign;
+    driving shaft, rad/s, with its sign, or of both that drive. ``driving``: the member that drives, a central
+    wheel or "H", or two; "1" with two speeds is both central wheels. ``fixed``: the one
+    that stands, "" for the last wheel (see `motion_of`).
+    ``ratio``: the ratio wanted, driving over driven angular velocity, with its sign;
     ``tolerance``: by what share of itself it may be missed. ``teeth``: a tooth number for every wheel of the
     scheme, None for one that is to be found; () for all of them. ``satellites``: the numbers of satellites
     that are allowed. ``alpha`` (degrees), ``ha``, ``c``: pressure angle, factors of the addendum and of the
-    clearance. ``behind``: the teeth of the pair of gears behind the train. ``mu_l`` (m/mm), ``mu_v``
-    ((m/s)/mm) and ``pole``, the pole distance of the plan of angular velocities (mm): standard and round ones
-    are chosen where they are None.
+    clearance. ``moment``: torque on the (first) driving shaft in its sense, N·m; None asks for no torques;
+    ``mesh_efficiency``: of each mesh with the carrier held. ``behind``: the teeth of the pair of gears behind
+    the train. ``mu_l`` (m/mm), ``mu_v`` ((m/s)/mm) and ``pole``, the pole distance of the plan of angular
+    velocities (mm): standard and round ones are chosen where they are None.
     """
 
     scheme: str = combined_key(
@@ -164,8 +224,16 @@ class PlanetaryTask:
         scheme=key(v.choice(*SCHEMES), "which wheels mesh", "ring", "ring"),
     )
     module: float = key(v.POSITIVE_LENGTH, "the module", "8 mm")
-    speed: float = key(v.SPEED, "angular velocity of the driving shaft", "2888 rpm")
-    driving: str = key(v.choice("1", "H"), "which drives, wheel 1 or the carrier H", "1", "1")
+    speed: float | tuple[float, ...] = key(
+        _SPEEDS, "angular velocity of the driving shaft, of both of a differential", "2888 rpm"
+    )
+    driving: str | tuple[str, ...] = key(
+        _DRIVERS,
+        "which drives, a central wheel or the carrier H, or both of a differential",
+        "1",
+        "1",
+    )
+    fixed: str = key(_MEMBER, "which stands still, a central wheel or the carrier H", "3", "")
     ratio: float | None = key(
         Kind(_ratio, v.bounded(_RATIO), _RATIO), "wanted ratio, driving over driven", 4.55, None
     )
@@ -186,6 +254,12 @@ class PlanetaryTask:
         least=key(_COUNT, "fewest teeth", 17, 17),
         most=key(_COUNT, "most teeth of a wheel", 150, 150),
         ring_most=key(_COUNT, "most teeth of a ring", 300, 300),
+    )
+    moment: float | None = key(
+        v.quantity("moment", Bound(0, above=True)), "torque on the driving shaft", "20 N m", None
+    )
+    mesh_efficiency: float = key(
+        v.number(Bound(0, 1, above=True)), "efficiency of a mesh", 0.97, 1.0
     )
     mu_l: float | None = key(v.MU_L, 'm/mm, or "1:5"', "1:5", None, fixes="size")
     mu_v: float | None = key(v.mu("scale of velocities"), "(m/s)/mm", "0.5 (m/s)/mm", None)
@@ -210,6 +284,50 @@ class Train:
     scheme: Scheme
     teeth: tuple[int, ...]
     satellites: int
+
+
+def motion_of(order: PlanetaryTask) -> Motion:
+    """Return which members of a train move.
+
+    Raises
+    ------
+    TaskError
+        If one drives and stands, two have one speed, or it is not told which stands.
+    """
+    last = SCHEMES[order.scheme].wheels[-1]
+    members, two = ("1", last, "H"), isinstance(order.speed, tuple)
+    speeds = order.speed if isinstance(order.speed, tuple) else (order.speed,)
+    usual = ("1", last) if two else ("1",)
+    drivers = (order.driving,) if isinstance(order.driving, str) else order.driving
+    driving = usual if drivers == ("1",) else drivers
+    for asked, names in (("driving", driving), ("fixed", (order.fixed,))):
+        for name in names:
+            if name and name not in members:
+                listed = ", ".join(members)
+                says = said(
+                    'the train has no "{name}": its members are {listed}', name=name, listed=listed
+                )
+                raise _refuse(asked, says)
+    if len(driving) != len(speeds):
+        says = said(
+            "{n} drive, but the angular velocity of {m} is given", n=len(driving), m=len(speeds)
+        )
+        raise _refuse("speed", says)
+    if two and order.fixed:
+        raise _refuse("fixed", said("two shafts of a differential drive: leave fixed out"))
+    fixed = "" if two else order.fixed or (last if last not in driving else "")
+    if not two and (not fixed or fixed in driving):
+        other = " or ".join(f'"{name}"' for name in members if name not in driving)
+        raise _refuse(
+            "fixed",
+            said(
+                "{driving} drives: one of the others stands, {other}",
+                driving=driving[0],
+                other=other,
+            ),
+        )
+    (driven,) = (name for name in members if name not in driving and name != fixed)
+    return Motion(dict(zip(driving, speeds, strict=True)), fixed, driven, last)
 
 
 def scheme_of(order: PlanetaryTask) -> Scheme:
@@ -259,21 +377,12 @@ def _refuse_sizes(order: PlanetaryTask, scheme: Scheme) -> None:
             _bounded(name, value)
     for name in ("alpha", "ha", "c"):
         _bounded(name, getattr(order, name))
-    if not (math.isfinite(order.speed) and order.speed != 0.0):
-        raise _refuse(
-            "speed",
-            said(
-                "the driving shaft turns at {speed}: give its angular velocity", speed=order.speed
-            ),
-        )
-    if order.driving not in ("1", "H"):
-        raise _refuse(
-            "driving",
-            said(
-                'wheel "{name}" cannot drive: take "1" or "H", the other is driven',
-                name=order.driving,
-            ),
-        )
+    for speed in motion_of(order).driving.values():
+        if not (math.isfinite(speed) and speed != 0.0):
+            says = said(
+                "the driving shaft turns at {speed}: give its angular velocity", speed=speed
+            )
+            raise _refuse("speed", says)
     if order.module_2 is None:
         return
     if scheme.rows == 1:
@@ -320,6 +429,11 @@ def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
 
 
 def _refuse_ratio(order: PlanetaryTask) -> None:
+    if not motion_of(order).fixed:
+        if order.ratio is not None:
+            raise _refuse("ratio", said("a differential has no ratio: leave it out"))
+        if order.behind:
+            raise _refuse("behind", said("behind a differential no pair is drawn: leave it out"))
     if order.ratio is None:
         if not order.teeth or None in order.teeth:
             raise _refuse(

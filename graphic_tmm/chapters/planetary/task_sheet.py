@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 
 from graphic_tmm.chapters.planetary.ink_scheme import ASIDE, Scheme2KH, Side, draw_scheme, spots
 from graphic_tmm.chapters.planetary.plan import ARM, ROW, SHAFT
-from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES, PlanetaryTask, Scheme
+from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES, PlanetaryTask, Scheme, motion_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Wanted
@@ -24,9 +25,12 @@ def given(scene: Scene) -> Iterator[Given]:
     order = ASKED.of(scene)
     if order is None:
         return
-    yield given_speed(order.driving, order.speed)
+    motion = motion_of(order)
+    for member, speed in motion.driving.items():
+        told = given_speed(member, speed)
+        yield told._replace(value=math.copysign(float(told.value), speed))
     if order.ratio is not None:
-        yield Given("U_{1H}" if order.driving == "1" else "U_{H1}", order.ratio)
+        yield Given(motion.ratio, order.ratio)
         yield Given("ΔU_{max}", 100.0 * order.tolerance, "%")
     if order.module_2 is None:
         yield Given("m", order.module, SIZE)
@@ -39,6 +43,10 @@ def given(scene: Scene) -> Iterator[Given]:
     for number, teeth in enumerate(order.behind, len(SCHEMES[order.scheme].wheels) + 1):
         yield Given(f"z_{number}", teeth)
     yield Given("k", ", ".join(map(str, order.satellites)))
+    if order.moment is not None:
+        yield Given(f"M_{motion.first}", order.moment, "N·m")
+        if order.mesh_efficiency < 1.0:
+            yield Given("η_m", order.mesh_efficiency)
 
 
 RADII: Mapping[str, tuple[float, ...]] = {
@@ -90,16 +98,17 @@ def _placed(order: PlanetaryTask, share: float) -> Scheme2KH:
         wheels["3"] = _satellite(last, axis, kind.second, radii[2])
     wheels[kind.wheels[-1]] = _central(last, fixed)
     arm = last + (-ROW / 2.0 if kind.second > 0 else ARM)
+    motion = motion_of(order)
     pair = dict[str, Side]()
     if order.behind:
-        station = max(last, arm) + SHAFT if order.driving == "1" else -SHAFT
+        station = max(last, arm) + SHAFT if motion.driven == "H" else -SHAFT
         number = len(kind.wheels) + 1
         small, large = (share * radius for radius in BEHIND)
         at = complex(station)
         contact, below = at - 1j * small, at - 1j * (small + large)
         pair[str(number)] = Side(contact, at + 1j * small, at)
         pair[str(number + 1)] = Side(contact, below - 1j * large, below)
-    return Scheme2KH(kind, wheels, (complex(arm, axis), complex(arm)), pair, order.driving)
+    return Scheme2KH(kind, wheels, (complex(arm, axis), complex(arm)), pair, motion)
 
 
 def _central(x: float, radius: float) -> Side:
@@ -118,30 +127,43 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     if order is None:
         return
     _ = speaking(language)
+    motion = motion_of(order)
     yield _(_SCHEMES[order.scheme])
+    yield (
+        _(_STANDS, member=motion.fixed) if motion.fixed else _(_DIFFERENTIAL, driven=motion.driven)
+    )
     if order.ratio is not None:
         yield _(_TEETH)
     yield _(_DRAWN)
-    yield _(_PICTURES)
+    yield _(_PICTURES if motion.fixed else _THIRD)
+    if order.moment is not None:
+        yield _(_TORQUES)
     if order.behind:
         yield _(_BEHIND)
 
 
 _SCHEMES = {
-    "ring": said("The train has a single row: sun wheel 1, satellites 2, fixed ring 3, carrier H."),
+    "ring": said("The train has a single row: sun wheel 1, satellites 2, ring 3, carrier H."),
     "external-internal": said(
         "The train has two rows: wheel 1 and rim 2 of the satellites mesh externally, rim 3 and "
-        "the fixed ring 4 internally; carrier H."
+        "ring 4 internally; carrier H."
     ),
     "external-external": said(
         "The train has two rows, both meshing externally: wheel 1 with rim 2 of the satellites, "
-        "their rim 3 with the fixed wheel 4; carrier H."
+        "their rim 3 with wheel 4; carrier H."
     ),
     "internal-internal": said(
         "The train has two rows, both meshing internally: ring 1 with rim 2 of the satellites, "
-        "their rim 3 with the fixed ring 4; carrier H."
+        "their rim 3 with ring 4; carrier H."
     ),
 }
+_STANDS = said("Of its coaxial members {member} stands still.")
+_DIFFERENTIAL = said("No member stands still: two of its shafts drive, {driven} is driven.")
+_THIRD = said(
+    "The picture of linear velocities and the plan of angular velocities are drawn; the angular velocity of "
+    "the driven shaft is found from them and compared with Willis's formula."
+)
+_TORQUES = said("The torques on all shafts are found, with the losses in the meshes.")
 _TEETH = said(
     "The numbers of teeth are found by the ratio wanted, the coaxiality, the assembly and the "
     "neighbourhood of the satellites."

@@ -14,10 +14,12 @@ from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.planetary import formulas as f
 from graphic_tmm.chapters.planetary.task import (
+    Motion,
     PlanetaryTask,
     Scheme,
     Train,
     module_ratio,
+    motion_of,
     scheme_of,
 )
 from graphic_tmm.language.said import said
@@ -70,17 +72,41 @@ def of_wheels(scheme: Scheme, z: Teeth) -> Whole:
     return np.stack(z if scheme.rows == 2 else (z.z1, z.z2, z.z4), axis=-1)
 
 
-def ratio_parts(scheme: Scheme, z: Teeth) -> tuple[Whole, Whole]:
-    """Return the numerator and the denominator of U_1H = 1 − U_14 with the carrier held (Willis)."""
-    below = z.z1 * z.z3
-    return below - scheme.first * scheme.second * z.z2 * z.z4, below
+def member_rates(scheme: Scheme, z: Teeth, fixed: str) -> dict[str, Whole]:
+    """Return whole numbers, by member, as the angular velocities are to each other while one member stands.
+
+    With the carrier held those of the central wheels are as u : v (Willis).
+    """
+    u, v = scheme.first * scheme.second * z.z2 * z.z4, z.z1 * z.z3
+    last = scheme.wheels[-1]
+    if fixed == "H":
+        return {"1": u, last: v}
+    return {last: u - v, "H": u} if fixed == "1" else {"1": v - u, "H": v}
+
+
+def first_drives(train: Train, motion: Motion) -> bool:
+    """Return whether wheel 1 drives while the carrier is held: power flows by it from wheel 1 to the last one.
+
+    The signs of its torque and of its angular velocity seen from the carrier are alike; torques without losses.
+    """
+    z = in_two_rows(train.scheme, train.teeth)
+    u, v = (int(rate[0]) for rate in member_rates(train.scheme, z, "H").values())
+    known = dict(motion.driving) | ({motion.fixed: 0.0} if motion.fixed else {})
+    if "H" not in known:
+        seen = known["1"] - (v * known["1"] - u * known[motion.last]) / (v - u)
+    elif "1" in known:
+        seen = known["1"] - known["H"]
+    else:
+        seen = (known[motion.last] - known["H"]) * u / v
+    share = {"1": v, motion.last: -u, "H": u - v}[motion.first]
+    return motion.driving[motion.first] * share * v * seen >= 0.0
 
 
 def ratio(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> NDArray[np.float64]:
     """Return driving over driven angular velocity, (n,); ∞ where the driven shaft stands."""
-    above, below = ratio_parts(scheme, z)
-    if order.driving == "H":
-        above, below = below, above
+    motion = motion_of(order)
+    rates = member_rates(scheme, z, motion.fixed)
+    above, below = rates[motion.first], rates[motion.driven]
     moves = below != 0
     return np.asarray(np.where(moves, above / np.where(moves, below, 1), np.inf))
 
@@ -151,6 +177,11 @@ def uncut(scheme: Scheme, z: Teeth, least: int) -> Truths:
     return np.asarray(np.all([getattr(z, name) >= least for name in external(scheme)], axis=0))
 
 
+def has_least_ring(rim: float, alpha: float, ha: float) -> bool:
+    """Return whether some ring is clear of a rim: of very few teeth none is."""
+    return 2.0 * rim * math.sin(math.radians(alpha)) ** 2 > 4.0 * ha
+
+
 def clear_roots(ring: Whole, rim: Whole, alpha: float, ha: float) -> Truths:
     """Return whether the tips of a ring end where the involutes of the rim inside it begin, or before.
 
@@ -211,6 +242,11 @@ class Verdict(NamedTuple):
     found: float
     text: str
 
+    @property
+    def stands(self) -> bool:
+        """Whether a shaft of the train cannot move."""
+        return self.condition == "ratio" and (self.found == 0.0 or not math.isfinite(self.found))
+
 
 def check(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
     """Return the verdict of every condition on a train; the ratio is one if the order wants it.
@@ -248,7 +284,16 @@ def _wheel(scheme: Scheme, name: str) -> str:
 
 
 def _ratio(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
-    found, name = float(ratio(order, scheme, z)[0]), "U_1H" if order.driving == "1" else "U_H1"
+    motion = motion_of(order)
+    if not motion.fixed:
+        u, v = member_rates(scheme, z, "H").values()
+        if motion.driven != "H" or u[0] != v[0]:
+            return ()
+        says = said(
+            "ratio: with the carrier held both central wheels turn alike: the train is locked"
+        )
+        return (Verdict("ratio", "", False, math.inf, says),)
+    found, name = float(ratio(order, scheme, z)[0]), f"U_{motion.first}{motion.driven}"
     holds = _said(within(order, scheme, z))
     if order.ratio is None:
         if holds:

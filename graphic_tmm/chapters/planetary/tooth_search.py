@@ -6,6 +6,7 @@ only a few z3 to each z1 and z2, so no train is looked at that misses it by much
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -14,10 +15,12 @@ from numpy.typing import NDArray
 
 from graphic_tmm.chapters.planetary import tooth_conditions as c
 from graphic_tmm.chapters.planetary.task import (
+    Motion,
     PlanetaryTask,
     Scheme,
     Train,
     module_ratio,
+    motion_of,
     scheme_of,
 )
 from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths, Whole, check
@@ -76,11 +79,13 @@ def search(order: PlanetaryTask) -> Solutions:
 def choose(order: PlanetaryTask) -> Train:
     """Return the smallest train of an order, or the one whose tooth numbers it gives.
 
+    Teeth that are given may break conditions (`check` tells them), but the train has to close and to move.
+
     Raises
     ------
     StructureError
-        If the tooth numbers given break conditions (all of them are told), or there are none to be found (which
-        condition leaves none is told).
+        If the tooth numbers given close no train, or there are none to be found (which condition leaves none is
+        told).
     """
     scheme = scheme_of(order)
     if order.teeth and None not in order.teeth:
@@ -104,7 +109,8 @@ def choose(order: PlanetaryTask) -> Train:
 
 
 def _wanted(order: PlanetaryTask) -> str:
-    name = "U_1H" if order.driving == "1" else "U_H1"
+    motion = motion_of(order)
+    name = f"U_{motion.first}{motion.driven}"
     given = "".join(f", z{i} = {z}" for i, z in enumerate(order.teeth, 1) if z is not None)
     return said(
         "has {name} = {ratio:g} within {percent:.3g} %{given}",
@@ -134,22 +140,18 @@ def _emptied(name: str, before: int) -> str:
 
 
 def _checked(order: PlanetaryTask, scheme: Scheme) -> Train:
-    """Return the train given, with the first number of satellites that is allowed and fulfils everything."""
+    """Return the train given, with the number of satellites that breaks the fewest conditions."""
     teeth = tuple(z for z in order.teeth if z is not None)
-    broken = []
-    for k in order.satellites:
-        train = Train(scheme, teeth, k)
-        wrong = [verdict.text for verdict in check(order, train) if not verdict.holds]
-        if not wrong:
-            return train
-        listed = joined("; ", wrong)
-        broken.append(
-            said(
-                "with {n} satellite: {listed}", "with {n} satellites: {listed}", n=k, listed=listed
-            )
-        )
-    says = joined(" ", (", ".join(map(str, teeth)), joined(". ", broken)))
-    raise StructureError(says, "planetary.teeth", head="planetary")
+    broken = {
+        k: [one for one in check(order, Train(scheme, teeth, k)) if not one.holds]
+        for k in order.satellites
+    }
+    best = min(broken, key=lambda k: len(broken[k]))
+    none = [one.text for one in broken[best] if one.condition == "coaxial" or one.stands]
+    if none:
+        says = joined(" ", (", ".join(map(str, teeth)), joined("; ", none)))
+        raise StructureError(says, "planetary.teeth", head="planetary")
+    return Train(scheme, teeth, best)
 
 
 def _search(order: PlanetaryTask) -> tuple[Solutions, list[Left]]:
@@ -227,6 +229,17 @@ def _candidates(order: PlanetaryTask, scheme: Scheme, q: Fraction) -> Teeth:
     return Teeth(z1, z2, z3, sum4 - scheme.second * z3)
 
 
+def _held(motion: Motion, ratio: float) -> float:
+    """Return the ratio of wheel 1 to the last one while the carrier is held, of the ratio of a train."""
+    if motion.first == "H" or (motion.fixed == "H" and motion.first != "1"):
+        ratio = 1.0 / ratio
+    if motion.fixed == "H":
+        return ratio
+    if motion.fixed == "1":
+        return 1.0 / (1.0 - ratio) if ratio != 1.0 else math.inf
+    return 1.0 - ratio
+
+
 def _window(
     order: PlanetaryTask, scheme: Scheme, z: Teeth, third: tuple[int, int]
 ) -> tuple[Whole, Whole]:
@@ -237,9 +250,10 @@ def _window(
     """
     assert order.ratio is not None
     ends = [order.ratio * (1.0 + sign * (order.tolerance + c.SLACK)) for sign in (-1.0, 1.0)]
-    if order.driving == "H":
-        ends = [1.0 / end for end in ends]
-    shares = sorted(-scheme.first * scheme.second * (end - 1.0) for end in ends)
+    held = [_held(motion_of(order), end) for end in ends]
+    shares = sorted(scheme.first * scheme.second * one for one in held)
+    if shares[0] < 0.0 < shares[1] or not np.isfinite(shares).all():
+        shares = [0.0, math.inf]
     found = []
     for share in shares[::-1]:
         steep = share * z.z1 / z.z2 + scheme.second

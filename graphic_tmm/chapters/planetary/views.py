@@ -6,6 +6,7 @@ from graphic_tmm.chapters.planetary.ink import Captions, draw_planetary_ink
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.planetary.record import BESIDE
 from graphic_tmm.chapters.planetary.table import (
+    calculated_lines,
     condition_table,
     rate_table,
     ratio_lines,
@@ -34,7 +35,13 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     found = Captions(
         (words["planetary"], texts["planetary"]),
         (words["planetary-velocities"], texts.get("planetary-velocities", "")),
-        (words["planetary-rates"], texts.get("planetary-rates", ""), *lines, *_overall(drawn)),
+        (
+            words["planetary-rates"],
+            texts.get("planetary-rates", ""),
+            *lines,
+            *_overall(drawn),
+            *_torques(drawn),
+        ),
     )
     shown = Captions(*(tuple(text for text in group if text) for group in found))
     high = heights(drawn.scene, "planetary")
@@ -45,6 +52,14 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if (trains := trains_wanted(made)) is not None:
         views.append(train_table(trains, language, high))
     return views
+
+
+def _torques(drawn: Drawn) -> list[str]:
+    """Return the torques on the shafts and the efficiency, as they are calculated."""
+    beside, log = BESIDE.on(drawn), drawn.construction
+    marks = [*beside.lost, *beside.torques.values(), beside.efficiency]
+    shown = [one for one in marks if one is not None]
+    return list(calculated_lines(log, drawn.reading, shown, drawn.scene.language))
 
 
 def _overall(drawn: Drawn) -> list[str]:

@@ -20,6 +20,12 @@ CAPTIONS: dict[str, str] = {
     "planetary_ratio": said("U"),
     "planetary_ratio_drawn": said("U as drawn"),
     "planetary_difference": said("Δ_{U}"),
+    "planetary_omega": said("ω by Willis"),
+    "planetary_omega_drawn": said("ω as drawn"),
+    **{f"planetary_n_{body}": f"n_{body}" for body in "1234H"},
+    **{f"planetary_M_{member}": f"M_{member}" for member in "134H"},
+    "planetary_efficiency": "η",
+    "planetary-torques": said("Torques on the shafts"),
     "planetary_mesh_1": said("U^{H} of the first mesh"),
     "planetary_mesh_2": said("U^{H} of the second mesh"),
     "planetary_most": "k_{max}",
@@ -61,6 +67,9 @@ SATELLITE_LINE = said(
     "The satellite touches the wheel that stands still in C, where it has no velocity, so its velocities "
     "grow from there in proportion to the distance."
 )
+SATELLITE_OF_TWO = said(
+    "Two points of the satellite have known velocities: those of all others end on the line through them."
+)
 SOUGHT_VELOCITY = said(
     "The point belongs to the satellite too: its velocity ends on the satellite's line."
 )
@@ -73,6 +82,9 @@ RATES_POLE = said("The pole distance gives the scale of angular velocities.")
 RATE_RAY = said(
     "The slope of a body's line is its angular velocity: a ray of the same slope cuts it off, whatever the "
     "radius."
+)
+FIRST_STANDS = said(
+    "By Willis as with the last wheel held, the wheels counted from the other end: wheel 1 stands."
 )
 RATE_READ = said(
     "The segment from the body that stands still is the angular velocity, with its sense."
