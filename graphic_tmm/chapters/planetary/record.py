@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
@@ -54,7 +55,7 @@ def record_beside(bench: Bench) -> Aside:
         body: bench.draft.draw(t.turns_a_minute, f"n_{body}", omega, unit="rpm")
         for body, omega in made.rates.values.items()
     }
-    lost, torques, share = _torques(bench, made)
+    lost, torques, share = draw_torques(bench.draft, made)
     return Aside(stopped, ring, satellite, most, turns, lost, torques, share, _speed(bench, made))
 
 
@@ -97,14 +98,14 @@ def _most(bench: Bench, made: Planetary) -> Mark | None:
     return draft.draw(t.fewer, "k_{max}", *rims)
 
 
-def _torques(
-    bench: Bench, made: Planetary
+def draw_torques(
+    draft: Draft, made: Planetary
 ) -> tuple[tuple[Mark, ...], dict[str, Mark], Mark | None]:
     """Calculate the torques on the shafts from that on the driving one; the efficiency if one drives."""
-    order, motion, draft = made.order, made.motion, bench.draft
+    order, motion = made.order, made.motion
     if order.moment is None:
         return (), {}, None
-    bench.draft.open(TORQUES)
+    draft.open(TORQUES)
     first, last = motion.first, motion.last
     given = math.copysign(order.moment, motion.driving[first])
     torques = {first: draft.take(Number, f"M_{first}", given, "N·m")}

@@ -16,7 +16,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.chapters.planetary.dimensions import Condition
-from graphic_tmm.chapters.planetary.formulas import inverse_ratio, turns_a_minute
+from graphic_tmm.chapters.planetary.formulas import turns_a_minute
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.chapters.planetary.record import BESIDE
 from graphic_tmm.chapters.planetary.tooth_search import Solutions, search
@@ -152,7 +152,8 @@ def ratio_lines(
 ) -> tuple[str, ...]:
     """Return, as mark-up, the ratio by Willis, the ratio measured, and how far they differ."""
     due = construction.step(made.rates.due)
-    willis = due.uses if due is not None and due.op is inverse_ratio else ()
+    used = [construction.step(mark) for mark in (due.uses if due is not None else ())]
+    willis = [step.it for step in used if step is not None and step.op.formula]
     marks = (*willis, made.rates.due, made.rates.drawn, made.rates.difference)
     return calculated_lines(construction, reading, marks, language)
 

@@ -30,18 +30,12 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the train in two views with its velocities, the tables of conditions, rates and trains."""
     made, language, reading = PLANETARY_PLAN.on(drawn), drawn.scene.language, drawn.reading
     words, scales, log = captions(language), drawn.scales, drawn.construction
-    lines = ratio_lines(log, reading, made, language)
+    told = (*ratio_lines(log, reading, made, language), *_overall(drawn), *_torques(drawn))
     texts = {name: mu_text(scale, language) for name, scale in scales.items()}
     found = Captions(
         (words["planetary"], texts["planetary"]),
         (words["planetary-velocities"], texts.get("planetary-velocities", "")),
-        (
-            words["planetary-rates"],
-            texts.get("planetary-rates", ""),
-            *lines,
-            *_overall(drawn),
-            *_torques(drawn),
-        ),
+        (words["planetary-rates"], texts.get("planetary-rates", ""), *dict.fromkeys(told)),
     )
     shown = Captions(*(tuple(text for text in group if text) for group in found))
     high = heights(drawn.scene, "planetary")
