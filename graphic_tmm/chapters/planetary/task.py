@@ -372,10 +372,11 @@ def _refuse_sizes(order: PlanetaryTask, scheme: Scheme) -> None:
         ("mu_l", order.mu_l),
         ("mu_v", order.mu_v),
         ("pole", order.pole),
+        ("moment", order.moment),
     ):
         if value is not None:
             _bounded(name, value)
-    for name in ("alpha", "ha", "c"):
+    for name in ("alpha", "ha", "c", "mesh_efficiency"):
         _bounded(name, getattr(order, name))
     for speed in motion_of(order).driving.values():
         if not (math.isfinite(speed) and speed != 0.0):
