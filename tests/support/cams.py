@@ -75,6 +75,13 @@ SHAPES: dict[str, tuple[Shape, Shape, Shape]] = {
         lambda u: np.where(u < 0.5, 4 * u, 4 * (1 - u)),
         lambda u: np.where(u < 0.5, 4.0, -4.0),
     ),
+    "constant velocity": (
+        lambda u: np.where(
+            u < 1 / 6, 3.6 * u**2, np.where(u > 5 / 6, 1 - 3.6 * (1 - u) ** 2, 1.2 * u - 0.1)
+        ),
+        lambda u: np.minimum(1.2, 7.2 * np.minimum(u, 1 - u)),
+        lambda u: np.where(u < 1 / 6, 7.2, np.where(u > 5 / 6, -7.2, 0.0)),
+    ),
     "3-4-5": (
         lambda u: 10 * u**3 - 15 * u**4 + 6 * u**5,
         lambda u: 30 * u**2 - 60 * u**3 + 30 * u**4,
@@ -223,9 +230,9 @@ def displaced(made_: Made, degrees: np.ndarray) -> np.ndarray:
     if isinstance(cam.order.follower, FlatFollower):
         turn = np.exp(1j * cam.sense * np.radians(degrees))
         return np.array([float(np.max((points * z).imag)) for z in turn]) - made_.one(cam.r0)
-    assert cam.roller is not None
+    radius = made_.one(cam.roller.radius) if cam.roller is not None else 0.0  # of a knife edge
     most = np.full(degrees.shape, 1.2 * cam.order.stroke)
-    return roller_places(profile, made_.one(cam.roller.radius), place_of(made_, degrees), most)
+    return roller_places(profile, radius, place_of(made_, degrees), most)
 
 
 def pressure_angles(order: CamTask, r0: float, degrees: np.ndarray) -> np.ndarray:
@@ -272,9 +279,10 @@ def least_radius(order: CamTask, step: float = 0.02) -> float:
         return bool(alpha.max() <= limits[0] and alpha.min() >= -limits[1])
 
     tried = np.linspace(low, high, 400)
-    # a constant acceleration has its corner in the middle of a phase
-    middles = [order.rise / 2, order.rise + order.upper_dwell + order.fall / 2]
-    coarse, dense = (np.append(np.arange(0.0, 360.0, t), middles) for t in (1.0, step))
+    # a constant acceleration has its corner in the middle of a phase, an eased velocity at both sixths
+    back, shares = order.rise + order.upper_dwell, np.array([1, 3, 5]) / 6
+    corners = [*order.rise * shares, *(back + order.fall * shares)]
+    coarse, dense = (np.append(np.arange(0.0, 360.0, t), corners) for t in (1.0, step))
     first = next((k for k, r0 in enumerate(tried) if fits(r0, coarse)), None)
     if first is None:
         return float("nan")

@@ -1,10 +1,11 @@
 """Cams: laws of motion, the region of centres by the pressure angle, the profile by reversed motion.
 
 A law is drawn as three diagrams on one base: S, dS/dφ, d²S/dφ². Sine and cosine come from semicircles,
-constant acceleration from two parabolas, the polynomial 3-4-5 from calculated ordinates; a law given by its
-acceleration diagram is integrated twice against a pole, and its scale found from the stroke (`laws`,
-`law_formulas`, `integral`). Of a diagram read off paper a jump is put where a position stands and areas are
-made equal by one factor, as far as a ruler does not tell the difference (`read_off`).
+constant acceleration from two parabolas, constant velocity from a straight line between two more, the
+polynomial 3-4-5 from calculated ordinates; a law given by its acceleration diagram is integrated twice against
+a pole, and its scale found from the stroke (`laws`, `law_formulas`, `integral`). Of a diagram read off paper a
+jump is put where a position stands and areas are made equal by one factor, as far as a ruler does not tell the
+difference (`read_off`).
 
 How the region of centres arises: take the cam's centre O anywhere below the roller's centre B, and in some
 position lay off dS/dφ from B square to the path, to the side to which the velocity comes when it is turned
@@ -21,7 +22,8 @@ diagram of S over d²S/dφ² gives r0 (`flat`).
 
 Reversed motion: give everything the angular velocity −ω. The cam stands, the guide goes round it, the
 roller's centre draws the theoretical profile; the working profile is its equidistant at the roller's
-radius, which should stay below a share of r0 and of the theoretical profile's least radius of curvature.
+radius, which should stay below a share of r0 and of the theoretical profile's least radius of curvature. A
+knife edge draws the working profile itself.
 
 Draws: place ``cam``: diagrams, region of centres, profiles, pressure angle and curvature over the turn,
 results; place ``cam scheme``: the mechanism in one position with its pressure angle; on a board of its own

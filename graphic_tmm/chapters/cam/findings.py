@@ -160,7 +160,8 @@ def _pressure(
 def _roller(
     cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
 ) -> tuple[CamFinding, ...]:
-    assert cam.roller is not None
+    if cam.roller is None:
+        return ()
     (sharpest,) = cam.curvature.extremes
     angle, rho = one(sharpest.angle), 1000.0 * one(sharpest.value)
     radius = 1000.0 * one(cam.roller.radius)

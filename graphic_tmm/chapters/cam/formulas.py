@@ -294,6 +294,39 @@ def even_height(share: Number, height: Length) -> Length:
     """{share}·{height}"""
 
 
+@formula(
+    why=said(
+        "Over the first sixth the follower speeds up evenly to the velocity of the even motion: at its end "
+        "rays to even parts of 0.6h cut the ordinates of the parabola."
+    )
+)
+def eased_rise(share: Number, height: Length) -> Length:
+    """0.6·{share}·{height}"""
+
+
+@formula(
+    why=said(
+        "Over the last sixth it slows down as it sped up: the rays go from the end of the stroke."
+    )
+)
+def eased_rise_back(share: Number, height: Length) -> Length:
+    """{height} − 0.6·(1 − {share})·{height}"""
+
+
+@formula(
+    why=said(
+        "Two sixths of the phase have half of the velocity between them, so that is 1.2 times h/Φ."
+    )
+)
+def eased_V(stroke: Number, phase: Number, mu: Number) -> Length:
+    """1.2·{stroke}/({phase}·{mu})"""
+
+
+@formula(why=said("In a sixth of the phase the velocity of the even motion is reached."))
+def eased_A(stroke: Number, phase: Number, mu: Number) -> Length:
+    """7.2·{stroke}/({phase}²·{mu})"""
+
+
 @formula(why=said("Under even acceleration the velocity grows to 2h/Φ in the middle of the phase."))
 def parabola_V(stroke: Number, phase: Number, mu: Number) -> Length:
     """2·{stroke}/({phase}·{mu})"""

@@ -104,13 +104,17 @@ def follower(ink: CamInk, points: Complexes) -> Iterator[Ink]:
         start = complex(feet[0])
         half = float(np.nanmax(np.abs(points - feet))) + 5.0
         yield from body([line("main", start - half, start + half)], "face", face.marks, 0)
-    yield from body(rod(start, radius), "follower", [(made.theoretical or made.working).points], 0)
+    edge = made.roller is None and made.theoretical is not None
+    points_of = [(made.theoretical or made.working).points]
+    yield from body(rod(start, radius, edge=edge), "follower", points_of, 0)
 
 
-def rod(at: complex, radius: float) -> list[Ink]:
-    """Return the rod of a follower over its roller or face, upright in its guide."""
+def rod(at: complex, radius: float, *, edge: bool = False) -> list[Ink]:
+    """Return the rod of a follower over its roller or face, or with its knife edge, upright in its guide."""
     top, half = at + 1j * (ROD + radius), 0.5 * WIDTH
-    outline = line("body", at - half, at + half, top + half, top - half, closed=True)
+    foot = (at, at + WIDTH * 1j + half) if edge else (at - half, at + half)
+    left = (at + WIDTH * 1j - half,) if edge else ()
+    outline = line("body", *foot, top + half, top - half, *left, closed=True)
     return [outline, *channel(top - 0.5j * GUIDE - 4j, 90.0, GUIDE, width=WIDTH)]
 
 
@@ -190,10 +194,11 @@ def _ends(ink: CamInk, points: Complexes) -> tuple[Complexes, Complexes]:
     """Where the numbers of the positions stand, and in which direction from there."""
     made = ink.cam.profile
     feet = ink.all(made.feet) if made.feet is not None else 0j * points
-    if isinstance(ink.cam.path, Lever) or made.roller is None:
+    if isinstance(ink.cam.path, Lever) or made.theoretical is None:
         return feet, directions(feet)
     ways = directions(points - feet)
-    return points + (ink.fixed_number(made.roller) + BEYOND) * ways, ways
+    radius = ink.fixed_number(made.roller) if made.roller is not None else 0.0
+    return points + (radius + BEYOND) * ways, ways
 
 
 def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wanted]:
@@ -269,7 +274,7 @@ def _dwell_letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Itera
         return
     radius, way = ink.arc(made.working.lower, 0)[1], _share(ink, last, 0.5, 0.55, 0.6)
     yield Wanted(names.working, radius * way, small, 0.5, -way, (made.working.lower.slot,))
-    if made.theoretical is not None:
+    if made.theoretical is not None and made.roller is not None:
         lower = made.theoretical.lower
         radius, way = ink.arc(lower, 0)[1], _share(ink, last, 0.7, 0.75)
         yield Wanted(names.theoretical, radius * way, small, 1.5, way, (lower.slot,))

@@ -115,7 +115,8 @@ def _follower(
         way = way if (way * at.conjugate()).real > 0 else -way
     else:
         way = 1j
-        strokes += body(rod(at, radius), "follower", [mark], k)
+        edge = made.roller is None and made.theoretical is not None
+        strokes += body(rod(at, radius, edge=edge), "follower", [mark], k)
     if made.theoretical is None:
         half = abs(complex(ink.all(points)[k]) * turn - at) + FACE
         strokes += body([line("main", at - half, at + half)], "face", [mark, points], k)

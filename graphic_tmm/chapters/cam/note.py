@@ -17,7 +17,7 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.record import VIEW as CALCULATED
-from graphic_tmm.chapters.cam.task import RockerFollower
+from graphic_tmm.chapters.cam.task import FlatFollower, RockerFollower
 from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.language.numbers import number
@@ -65,7 +65,8 @@ class CamPage(Page[Cam]):
             limits = {"allowed": self.ordered("pressure", "°"), "behind": self.ordered(back, "°")}
             yield self.sentence(words.PRESSURE_KEPT, limits)
         if not cam_findings(self.drawn.reading, self.recorded):
-            yield self.sentence(words.FLAT if self.recorded.roller is None else words.ALL)
+            kept = words.ALL if self.recorded.roller is not None else words.EDGE
+            yield self.sentence(words.FLAT if isinstance(order.follower, FlatFollower) else kept)
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told of a cam, in the order in which it is drawn."""

@@ -30,6 +30,11 @@ LAWS = {
         "to equal divisions of the ordinate over the middle; dS/dφ of two straight lines to the peak below; "
         "d²S/dφ² of two level lines."
     ),
+    "constant velocity": said(
+        "The velocity is constant but for a sixth of the phase at either end. S is a straight line between two "
+        "parabolas, drawn by rays to equal divisions of the ordinates over the ends of these sixths; dS/dφ "
+        "rises to a level line along straight ones; d²S/dφ² is constant over the sixths and zero between them."
+    ),
     "3-4-5": said(
         "The law is a polynomial of the fifth degree; its ordinates are calculated by the share u of the phase:"
     ),
@@ -120,6 +125,10 @@ ALL = said(
     "All conditions of the cam hold: below the allowed pressure angle {left_rise} are left on the rise and "
     "{left_return} on the return, below the largest radius of the roller {left_roller_r0} by r0 and "
     "{left_roller_profile} by the profile."
+)
+EDGE = said(
+    "All conditions of the cam hold: below the allowed pressure angle {left_rise} are left on the rise and "
+    "{left_return} on the return."
 )
 FLAT = said(
     "The condition of the cam holds: the profile is convex, its least radius of curvature {left_curvature} "

@@ -16,7 +16,15 @@ from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.profile import Profile, draw_flat_profile, draw_profile
 from graphic_tmm.chapters.cam.rocker import Lever, draw_rocker_centre
-from graphic_tmm.chapters.cam.task import ASKED, CAM, GRAPHS, CamTask, FlatFollower, RockerFollower
+from graphic_tmm.chapters.cam.task import (
+    ASKED,
+    CAM,
+    GRAPHS,
+    CamTask,
+    FlatFollower,
+    RockerFollower,
+    RollerFollower,
+)
 from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pressure, draw_radii
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -114,8 +122,10 @@ def draw_cam(draft: Draft, order: CamTask) -> Cam:
         centre, path = draw_centre(draft, order, diagrams, follower.offset, sense)
     pressure = draw_pressure(draft, diagrams, centre)
     curvature = draw_curvature(draft, diagrams, centre)
-    roller = _roller(draft, order, centre, curvature)
-    profile = draw_profile(draft, diagrams, centre, path, roller.radius, sense)
+    edge = isinstance(follower, RollerFollower) and follower.edge
+    roller = None if edge else _roller(draft, order, centre, curvature)
+    radius = roller.radius if roller is not None else None
+    profile = draw_profile(draft, diagrams, centre, path, radius, sense)
     charts = (*charts, pressure.chart, curvature.chart)
     return Cam(order, sense, diagrams, centre, path, pressure, curvature, roller, profile, charts)
 

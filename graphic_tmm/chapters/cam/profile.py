@@ -46,9 +46,9 @@ class Contour:
 class Profile:
     """The profiles as drawn: centre O, the guides in their inverted places, both contours.
 
-    ``theoretical``: of a roller follower only; ``guides``: lines of the path or of the face; ``feet``: where
-    the guides touch the circle of the offset, or the pivots of the lever, or the middles of the face;
-    ``normals``; ``roller``: its radius (Length).
+    ``theoretical``: of a roller, of a knife edge the working one too; ``guides``: lines of the path or of the
+    face; ``feet``: where the guides touch the circle of the offset, or the pivots of the lever, or the middles
+    of the face; ``normals``; ``roller``: its radius (Length).
     """
 
     view: str
@@ -76,10 +76,13 @@ def draw_profile(
     diagrams: Diagrams,
     centre: Centre,
     path: Path | Lever,
-    roller: Mark,
+    roller: Mark | None,
     sense: int,
 ) -> Profile:
-    """Draw both profiles of a cam with a roller; ``roller``: its radius (Number, m)."""
+    """Draw both profiles of a cam with a roller; ``roller``: its radius (Number, m).
+
+    A knife edge has none: its point draws the working profile, which is the theoretical one.
+    """
     origin = _begin(draft, centre.mu)
     if isinstance(path, Lever):
         placed = _rocker(draft, diagrams, centre, path, origin, sense)
@@ -89,9 +92,12 @@ def draw_profile(
         inward_normal, "(n)", placed.points, placed.paths, centre.pressure, sense=sense
     )
     paces = [centre.pace] * len(diagrams.stretches)
-    theoretical = _contour(
-        draft, THEORETICAL, diagrams, origin, (placed.points, normals), paces, sense
-    )
+    name = WORKING if roller is None else THEORETICAL
+    theoretical = _contour(draft, name, diagrams, origin, (placed.points, normals), paces, sense)
+    stands = (VIEW, centre.mu, origin, placed.feet, placed.guides, normals)
+    if roller is None:
+        draft.figure("guide", "", *(() if placed.feet is None else (placed.feet,)), placed.points)
+        return Profile(*stands, None, theoretical, theoretical)
     radius = draft.draw(to_board, "R_r", roller)
     draft.figure("roller", "", placed.points, radius)
     if isinstance(path, Lever):
@@ -105,9 +111,7 @@ def draw_profile(
         for turning in centre.turning
     ]
     working = _contour(draft, WORKING, diagrams, origin, (contacts, normals), paces, sense)
-    return Profile(
-        VIEW, centre.mu, origin, placed.feet, placed.guides, normals, radius, theoretical, working
-    )
+    return Profile(*stands, radius, theoretical, working)
 
 
 def draw_flat_profile(draft: Draft, diagrams: Diagrams, of: Convexity, sense: int) -> Profile:

@@ -94,7 +94,6 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
         (flattest,) = cam.curvature.extremes
         return {"left_curvature": draft.draw(f.above, "Δρ", flattest.value, least, unit="m")}
     assert cam.pressure is not None
-    assert cam.roller is not None
     found = {}
     limits = (order.pressure, order.pressure_return or order.pressure)
     letters = ("[α]", "[α]" if limits[0] == limits[1] else "[α_f]")
@@ -104,6 +103,8 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
         found[f"left_{phase.name}"] = draft.draw(
             f.angle_left, f"Δα_{phase.number}", allowed, extreme.value, unit="°"
         )
+    if cam.roller is None:
+        return found
     radius = cam.roller.radius
     for name, letter, limit_of in (
         ("r0", "Δr_{r}", cam.roller.by_r0),

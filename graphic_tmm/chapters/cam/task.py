@@ -25,6 +25,8 @@ GRAPHS = "cam graphs"
 """The size of a cam's diagrams; that of its other views is called as the chapter is."""
 
 
+EDGE = "knife edge"
+"""A follower that has no roller."""
 BY_DIAGRAM = "diagram"
 """The law that is given by points of its acceleration diagram."""
 RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"
@@ -57,13 +59,14 @@ class Law:
 
 @dataclass(frozen=True)
 class RollerFollower:
-    """A roller on a translating rod.
+    """A roller on a translating rod, or its knife ``edge``: a roller without a radius.
 
     ``offset`` e (m) of its guide from the centre of the cam, positive to the side that lessens the pressure
     angle of the rise; 0 for a central follower.
     """
 
     offset: float = 0.0
+    edge: bool = False
 
 
 @dataclass(frozen=True)
@@ -164,7 +167,7 @@ def _follower(said: Said) -> Follower:
         return FlatFollower(said.least_curvature)
     if said.follower == "rocker":
         return RockerFollower(said.lever or 0.0, said.centres or 0.0, said.sense == "along")
-    return RollerFollower(said.offset)
+    return RollerFollower(said.offset, said.follower == EDGE or said.roller == 0.0)
 
 
 def _pressure(said: Said) -> float:
@@ -256,7 +259,7 @@ class CamTask:
         _follower,
         RollerFollower(),
         follower=key(
-            v.choice("roller", "rocker", "flat"), "what follows the cam", "roller", "roller"
+            v.choice("roller", EDGE, "rocker", "flat"), "what follows the cam", "roller", "roller"
         ),
         offset=key(v.LENGTH, "offset of the roller's guide", "10 mm", 0.0),
         lever=key(v.POSITIVE_LENGTH, "length of the rocker's lever", "80 mm", None),
@@ -287,7 +290,12 @@ class CamTask:
         _LIMIT, "largest pressure angle of the return", "45 deg", None
     )
     r0: float | None = key(v.POSITIVE_LENGTH, "the least radius chosen", "52.1 mm", None)
-    roller: float | None = key(v.POSITIVE_LENGTH, "the radius of the roller", "16.8 mm", None)
+    roller: float | None = key(
+        replace(v.LENGTH, bound=Bound(0)),
+        "the radius of the roller, 0 of a knife edge",
+        "16.8 mm",
+        None,
+    )
     share_of_r0: float = key(_SHARE, "how much of r0 the roller may be", 0.4, 0.4)
     share_of_curvature: float = key(_SHARE, "how much of the least curvature radius", 0.7, 0.7)
     divisions: int = key(
@@ -337,6 +345,7 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
         if not rocks and getattr(cam, name) is not None:
             says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
             yield Flaw(("cam", name), says)
+    yield from _rollers(cam)
     if cam.pressure is not None and cam.transmission is not None:
         says = said("pressure says the same; leave one of them out")
         yield Flaw(("cam", "transmission"), says)
@@ -351,6 +360,16 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
             )
             yield Flaw(("cam", name), says)
     yield from _laws(cam)
+
+
+def _rollers(cam: Said) -> Iterator[Flaw]:
+    """A roller that no follower of the kind has."""
+    if cam.roller is not None and cam.roller < 0.0:
+        yield Flaw(("cam", "roller"), said("a radius is not negative; write 0 for a knife edge"))
+    if cam.roller == 0.0 and cam.follower == "rocker":
+        yield Flaw(("cam", "roller"), said('a lever has a roller; write, for example, "10 mm"'))
+    if cam.roller and cam.follower == EDGE:
+        yield Flaw(("cam", "roller"), said("a knife edge has no roller: leave it out"))
 
 
 def _laws(cam: Said) -> Iterator[Flaw]:

@@ -61,7 +61,8 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         return
     follower = order.follower
     if isinstance(follower, RollerFollower):
-        kind = _OFFSET if follower.offset else _CENTRAL
+        kinds = (_EDGE, _OFFSET_EDGE) if follower.edge else (_CENTRAL, _OFFSET)
+        kind = kinds[bool(follower.offset)]
     else:
         kind = _ROCKER if isinstance(follower, RockerFollower) else _FLAT
     yield speaking(language)(kind)
@@ -69,6 +70,8 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
 
 _CENTRAL = said("The follower is central, with a roller.")
 _OFFSET = said("The follower is offset, with a roller.")
+_EDGE = said("The follower is central, with a knife edge.")
+_OFFSET_EDGE = said("The follower is offset, with a knife edge.")
 _ROCKER = said("The follower is a lever with a roller.")
 _FLAT = said("The follower has a flat face.")
 
@@ -172,7 +175,8 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     flat = isinstance(order.follower, FlatFollower)
     yield _(_DIAGRAMS)
     yield _(_CONVEX if flat else _RADIUS)
-    yield _(_FACE if flat else _PROFILE)
+    edge = isinstance(order.follower, RollerFollower) and order.follower.edge
+    yield _(_FACE if flat else _POINTED if edge else _PROFILE)
 
 
 def listed(scene: Scene, language: str) -> Iterator[Listed]:
@@ -202,6 +206,7 @@ _CONVEX = said(
 _PROFILE = said(
     "The radius of the roller is chosen; the theoretical and the working profile of the cam are drawn."
 )
+_POINTED = said("The profile of the cam is drawn.")
 _FACE = said("The profile of the cam and the width of the face are drawn.")
 _RISE = said("Acceleration of the follower by shares of the rise (in proportion)")
 _RETURN = said("Acceleration of the follower by shares of the return (in proportion)")

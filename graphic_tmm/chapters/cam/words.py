@@ -14,6 +14,7 @@ CAPTIONS: dict[str, str] = {
     "law sine": said("sine"),
     "law cosine": said("cosine"),
     "law constant acceleration": said("constant acceleration"),
+    "law constant velocity": said("constant velocity, eased"),
     "law 3-4-5": "3-4-5",
     "law diagram": said("by its diagram"),
     "cam": said("Cam"),
@@ -154,6 +155,11 @@ OVER_POSITION = said("Over each part of the phase stands its ordinate.")
 STROKE_TOP = said("At the inner end of the phase the whole stroke is done.")
 MIDDLE = said("In the middle of the phase the acceleration changes its sign.")
 PARABOLA_RAY = said("Rays to equal parts of the middle ordinate cut the ordinates of the parabola.")
+EASED_END = said("Over a sixth of the phase at either end the motion is eased.")
+EVEN_LINE = said(
+    "The even motion is a straight line; it touches the parabola of either end where that is over, and so cuts "
+    "the level of the dwell half-way."
+)
 TRIANGLE_SIDE = said(
     "Under constant acceleration the velocity changes evenly: along a straight line."
 )

@@ -24,6 +24,8 @@ TRAPEZOID = Law("diagram", ((0, 0), (1 / 8, 1), (3 / 8, 1), (5 / 8, -1), (7 / 8,
 TRIANGLES = Law("diagram", ((0, 0), (0.25, 3.0), (0.75, -3.0), (1, 0)))
 JUMPS = Law("diagram", ((0, 2), (1 / 3, 2), (1 / 3, -1), (1, -1)))
 SLANTED = Law("diagram", ((0, 1), (1, -1)))
+DUST = 1e-9
+"""What is less is no acceleration, m/rad²."""
 DIAGRAMS = {"trapezoid": TRAPEZOID, "triangles": TRIANGLES, "jumps": JUMPS, "slanted": SLANTED}
 
 
@@ -123,7 +125,8 @@ def test_each_diagram_is_the_derivative_of_the_one_before(name: str) -> None:
             tangents = found.reading[curve].tangents[0]
             values = tangents.imag / tangents.real * slope
             right = found.reading[mark][0, a : b + 1] * found.one(to.axes.mu)
-            bound = (2 * np.pi) ** 4 / 30**3 * np.abs(right).max()
+            most = max(np.abs(right).max(), DUST)  # an even motion has no acceleration
+            bound = (2 * np.pi) ** 4 / 30**3 * most
             inside = slice(2, -2) if b - a > 6 else slice(None)
             assert np.abs(values - right).max() < bound
             assert np.abs(values - right)[inside].max(initial=0.0) < bound / 10
@@ -199,7 +202,7 @@ NONSENSE = [
     ({"stroke": -0.028}, "stroke"),
     ({"stroke": 0.0}, "stroke"),
     ({"r0": -0.05}, "r0"),
-    ({"roller": 0.0}, "roller"),
+    ({"roller": -0.001}, "roller"),
     ({"pressure": 90.0}, "pressure = 90: .* less than 90"),
     ({"pressure_return": 0.0}, "pressure_return = 0: .* greater than 0"),
     ({"turns": "left"}, "clockwise"),

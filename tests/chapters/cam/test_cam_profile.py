@@ -26,6 +26,7 @@ TRAPEZOID = Law("diagram", ((0, 0), (1 / 8, 1), (3 / 8, 1), (5 / 8, -1), (7 / 8,
 FOLLOWERS: dict[str, Follower] = {
     "central": RollerFollower(),
     "offset": RollerFollower(0.01),
+    "knife edge": RollerFollower(0.01, edge=True),
     "rocker": RockerFollower(0.08, 0.1),
     "rocker along": RockerFollower(0.08, 0.1, same_sense=True),
     "flat": FlatFollower(0.005),
