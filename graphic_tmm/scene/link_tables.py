@@ -21,7 +21,7 @@ from graphic_tmm.scene.values import LINK_SIDE, SENSE
 
 AS_IT_IS = Joints()
 """The hand that rounds nothing."""
-_GEOMETRY = ("points", "guides", "slides")
+_GEOMETRY = ("points", "guides", "slides", "passive")
 
 
 def tables_of(
@@ -226,11 +226,12 @@ class _Tables:
         own = link_table(link, hand, self.mechanism.frame.number, told)
         if self._listed(link):
             own = self._by_joints(own, told, hand)
+        passive = link in self.mechanism.passive
+        own |= {"passive": True} if passive else {}
         if not told:
-            return (
-                own | _loads(link) | ({"passive": True} if link in self.mechanism.passive else {})
-            )
-        gone = _GEOMETRY if self._side_stands(told) else (*_GEOMETRY, "side", "flips_at")
+            return own | _loads(link)
+        stands = self._side_stands(told) and not passive
+        gone = _GEOMETRY if stands else (*_GEOMETRY, "side", "flips_at")
         return {k: x for k, x in told.items() if k not in gone} | own
 
     def _side_stands(self, told: Document) -> bool:

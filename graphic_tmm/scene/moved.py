@@ -29,7 +29,7 @@ from graphic_tmm.scene.mechanism import DIGITS
 from graphic_tmm.scene.named_lengths import name_at, places_of, solved
 from graphic_tmm.scene.quantities import NUMBER, measuring
 from graphic_tmm.scene.sections import LENGTHS, lengths_of, measures
-from graphic_tmm.scene.splice import Unplaced, set_to, with_table, without_table
+from graphic_tmm.scene.splice import Unplaced, as_list, set_to, with_table, without_table
 from graphic_tmm.scene.units import UNITS, plain_unit
 
 MARK = "\ufeff"
@@ -109,6 +109,8 @@ def _changes(doc: Document, tables: Mapping[str, Any], names: Names) -> Changes:
             for k, table in _paired(section, old, new).there:
                 one = inner(sort, old, k)
                 yield from _differing(one, old[k], table, (section, k), names)
+        elif isinstance(old, dict) and isinstance(new, list):
+            yield from _differing(sort, old, new[0], (section,), names)
         elif old is not None:
             yield from _differing(sort, old, new, (section,), names)
 
@@ -207,6 +209,8 @@ def _with_tables(text: str, tables: Mapping[str, Any]) -> str:
     doc = tomllib.loads(text)
     for section, new in tables.items():
         old = doc.get(section)
+        if isinstance(old, dict) and isinstance(new, list) and len(new) > 1:
+            text, old = as_list(text, section), [old]
         if isinstance(old, list) and isinstance(new, list):
             pairing = _paired(section, old, new)
             for k in reversed(pairing.gone):

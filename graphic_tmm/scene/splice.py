@@ -253,6 +253,25 @@ def without_table(text: str, path: Path) -> str:
     return _checked(text, wanted, path)
 
 
+def as_list(text: str, section: str) -> str:
+    """Return a text whose table of a section is the first of a list of tables: its header has two brackets.
+
+    Raises
+    ------
+    Unplaced
+        If the table has no header of its own.
+    """
+    doc, end = tomllib.loads(text), layout(text).headers.get((section,))
+    if end is None:
+        raise Unplaced((section,))
+    begin = text.rfind("\n", 0, end) + 1
+    header = text[begin : _end_of_line(text, end)]
+    name, bracket, behind = header.partition("]")
+    made = f"{name.replace('[', '[[', 1)}{2 * bracket}{behind}"
+    made = text[:begin] + made + text[begin + len(header) :]
+    return _checked(made, {**doc, section: [doc[section]]}, (section,))
+
+
 def with_table(text: str, section: str, table: dict[str, Any], *, several: bool) -> str:
     """Return a text with one more table of a section: behind the last of it, or the last of those before it.
 

@@ -87,8 +87,7 @@ def aligned(sketch: dict[str, Any]) -> dict[str, Any]:
     return sketch
 
 
-NOT_DRAWN = ("excavator", "parallel-cranks")
-"""Several drives, and links that only double others, are written in the file."""
+NOT_DRAWN = ()
 HANDS = 13
 ROW = 36
 
@@ -167,7 +166,7 @@ UNFINISHED: list[tuple[list[dict[str, Any]], int | None, int | None, str]] = [
 def test_what_is_missing_is_said(
     links: list[dict[str, Any]], drive: int | None, mobility: int | None, says: str
 ) -> None:
-    sketch = {"places": PLACES, "links": links, "drive": drive}
+    sketch = {"places": PLACES, "links": links, "drives": [] if drive is None else [drive]}
     made = scheme(b"", Path("scheme.toml"), SchemeAct(sketch=sketch), EN)
     assert made["mobility"] == mobility
     assert says in made["says"]
@@ -248,10 +247,10 @@ def test_a_turn_is_told() -> None:
 
 HOSTILE: list[dict[str, Any]] = [
     {"sketch": 1},
-    {"sketch": {"places": {}, "links": [], "drive": None}},
+    {"sketch": {"places": {}, "links": [], "drives": []}},
     {"sketch": {**crank_and_slider(), "places": {"O": [0, float("nan")]}}},
     {"sketch": {**crank_and_slider(), "links": [{"number": "1"}]}},
-    {"sketch": {**crank_and_slider(), "drive": True}},
+    {"sketch": {**crank_and_slider(), "drives": [True]}},
     {"typed": {"a": 1}},
     {"numbers": {"a": "b"}},
     {"at": "x"},

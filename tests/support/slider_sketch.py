@@ -16,4 +16,4 @@ def crank_and_slider() -> dict[str, Any]:
     slider = body(3, "B", slides=[{"on": 0, "along": "x"}])
     frame = {**body(0, "O"), "guides": {"x": {"through": [0.0, 0.2003], "angle": 0.0}}}
     links = [frame, body(1, "O", "A"), body(2, "A", "B"), slider]
-    return {"places": PLACES, "links": links, "drive": 1}
+    return {"places": PLACES, "links": links, "drives": [1]}

@@ -98,7 +98,7 @@ def scheme(
             sketch = shifted(sketch, shift)
             stands = standing_of(sketch, doc)
         text = scene_text(text, doc, sketch, stands, file)
-        asked = asked._replace(at=stands.at)
+        asked = asked._replace(at=stands.at[0])
     if asked.section:
         text = with_section(text, asked.section, asked.typed, file, speech)
     elif asked.typed:

@@ -16,10 +16,11 @@ from graphic_tmm.scene.moved import uses
 from graphic_tmm.scene.sections import LENGTHS
 from graphic_tmm.scene.units import plain_unit
 from graphic_tmm.serve.form import Field, choices_in, form
+from graphic_tmm.serve.scheme.drives import tables_of_drives
 from graphic_tmm.serve.scheme.units import own_unit, unit_of_field
 
 OF_LINKS = ("name", "mass", "J")
-OF_DRIVE = ("speed", "turns", "from", "to", "positions", "accelerations")
+OF_DRIVE = ("speed", "turns", "from", "to", "at", "positions", "accelerations")
 """What a task gives besides lengths, and nothing can be drawn without, or is drawn otherwise."""
 ZERO = re.compile(r"[+-]?0(?:\.0*)?(?:\s.*)?")
 CLAUSE = re.compile(r"[;:,(]")
@@ -44,6 +45,8 @@ def _json(
 ) -> dict[str, Any]:
     place = field.path[:2]
     link = doc["link"][place[1]].get("number") if place[0] == "link" else None
+    if place[0] == "drive" and isinstance(doc.get("drive"), list):
+        link = tables_of_drives(doc)[int(place[1])].get("link")
     named = field.text in as_table(doc.get(LENGTHS)) and len(uses(text, field.path)) > 1
     return {
         "key": field.key,
@@ -99,23 +102,25 @@ def _is_zero(place: Any, axis: int) -> bool:
 
 def _given(fields: list[Field], doc: Document, speech: Speech) -> Iterator[tuple[Field, str]]:
     """Yield what is given of the drive, then of links."""
+    drives = tables_of_drives(doc)
     for field in fields:
-        if _is_of_drive(field.path, doc):
-            yield field, _clause(field, speech)
+        if _is_of_drive(field.path, drives[0]):
+            several = len(drives) > 1
+            yield field, _of_link(field, drives, "link", speech) if several else _clause(field, speech)
     for field in fields:
         match field.path:
-            case ("link", int(k), str(key)) if key in OF_LINKS:
-                number = doc["link"][k].get("number")
-                yield (
-                    field,
-                    speech(
-                        said("link {number}: {what}", number=number, what=_clause(field, speech))
-                    ),
-                )
+            case ("link", int(_), str(key)) if key in OF_LINKS:
+                yield field, _of_link(field, doc["link"], "number", speech)
 
 
-def _is_of_drive(path: Path, doc: Document) -> bool:
-    slides = "from" in as_table(doc.get("drive"))
+def _of_link(field: Field, tables: list[Document], key: str, speech: Speech) -> str:
+    """Return what a field is, with the link whose it is: that of its table, at a key."""
+    number = tables[int(field.path[1])].get(key)
+    return speech(said("link {number}: {what}", number=number, what=_clause(field, speech)))
+
+
+def _is_of_drive(path: Path, first: Document) -> bool:
+    slides = "from" in first
     match path:
         case ("drive", str(key)) | ("drive", int(_), str(key)):
             return key in OF_DRIVE and (key not in ("from", "to") or slides)

@@ -1,7 +1,7 @@
 """A sketch as a browser sends it, a mechanism as it lies, and each as the other.
 
-JSON: places of letters [x, y], m; links with number, letters, guides and slides, the frame first; guides
-(through, angle) in the axes of the frame; the number of the driving link, or null.
+JSON: places of letters [x, y], m; links with number, letters, guides and slides, the frame first, each passive or
+not; guides (through, angle) in the axes of the frame; the numbers of the driving links.
 """
 
 from __future__ import annotations
@@ -22,18 +22,20 @@ Sketch = dict[str, Any]
 BLANK: Sketch = {
     "places": {},
     "links": [{"number": 0, "points": [], "guides": {}, "slides": []}],
-    "drive": None,
+    "drives": [],
 }
 """Nothing but the frame."""
-GEOMETRY = ("points", "guides", "slides", "centre")
+GEOMETRY = ("points", "guides", "slides", "centre", "passive")
 """Keys of a link that a sketch tells."""
+SIDES = ("side", "flips_at")
+"""Keys that say where a link lies: one that is passive has none."""
 
 
 def is_sketch(told: object) -> bool:
     """Whether something is a sketch in form: what it says may still be no mechanism."""
-    if not isinstance(told, dict) or not {"places", "links", "drive"} <= told.keys():
+    if not isinstance(told, dict) or not {"places", "links", "drives"} <= told.keys():
         return False
-    places, links, drive = told["places"], told["links"], told["drive"]
+    places, links, drives = told["places"], told["links"], told["drives"]
     return (
         isinstance(places, dict)
         and isinstance(links, list)
@@ -41,7 +43,9 @@ def is_sketch(told: object) -> bool:
         and len(places) <= MOST * MOST
         and all(map(_is_place, places.values()))
         and all(_is_link(one, places) for one in links)
-        and (drive is None or _is_number(drive))
+        and isinstance(drives, list)
+        and len(drives) <= MOST
+        and all(map(_is_number, drives))
     )
 
 
@@ -81,6 +85,7 @@ def _is_link(told: object, places: Mapping[str, object]) -> bool:
             for one in slides
         )
         and isinstance(told.get("centre", ""), str)
+        and isinstance(told.get("passive", False), bool)
     )
 
 
@@ -126,8 +131,10 @@ def _from_pivot(link: Sketch, frame: Sketch) -> Sketch:
 def _link(
     link: Mapping[str, Any], places: Mapping[str, Any], frame: int, known: Mapping[str, Any]
 ) -> Document:
-    made = {key: value for key, value in known.items() if key not in GEOMETRY}
-    made["number"] = link["number"]
+    passive = link.get("passive", False)
+    gone = (*GEOMETRY, *SIDES) if passive else GEOMETRY
+    made = {key: value for key, value in known.items() if key not in gone}
+    made |= {"number": link["number"]} | ({"passive": True} if passive else {})
     made["points"] = {letter: _place(places[letter]) for letter in link["points"]}
     if link["guides"]:
         made["guides"] = _guides(link)
@@ -138,7 +145,8 @@ def _link(
         same = (
             one for one in before if isinstance(one, dict) and one.get("along") == slide["along"]
         )
-        kept = {k: v for k, v in next(same, {}).items() if k in ("side", "flips_at", "cylinder")}
+        keys = ("cylinder",) if passive else (*SIDES, "cylinder")
+        kept = {k: v for k, v in next(same, {}).items() if k in keys}
         cylinder = {"cylinder": slide["cylinder"]} if slide.get("cylinder") else {}
         on = "frame" if slide["on"] == frame else slide["on"]
         slides.append({**kept, **cylinder, "on": on, "along": slide["along"]})
@@ -196,8 +204,11 @@ def sketch_of(lies: Mechanism, places: Mapping[str, complex], doc: Document) -> 
     centres = {one.get("number"): one.get("centre") for one in doc["link"]}
     return {
         "places": {letter: _pair(z) for letter, z in places.items()},
-        "links": [_body(one, centres.get(one.number)) for one in (lies.frame, *lies.drawn)],
-        "drive": lies.drive.link,
+        "links": [
+            _body(one, centres.get(one.number)) | ({"passive": True} if one in lies.passive else {})
+            for one in (lies.frame, *lies.drawn)
+        ],
+        "drives": [one.link for one in lies.drives],
     }
 
 

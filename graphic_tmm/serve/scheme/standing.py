@@ -4,22 +4,27 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.language.said import Said, joined, said
 from graphic_tmm.mechanism.driven import Driven
 from graphic_tmm.mechanism.guides import turn
+from graphic_tmm.mechanism.parallel import parallel_cranks
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.sketch import built
 from graphic_tmm.mechanism.structure import count, dissect
-from graphic_tmm.scene.document import Document, as_table
+from graphic_tmm.scene.document import Document
 from graphic_tmm.scene.read import understood
+from graphic_tmm.serve.scheme.drives import drive_tables
 from graphic_tmm.serve.scheme.sketches import Sketch, lying_document
 from graphic_tmm.serve.scheme.words import SCHEME_WORDS
 
 TURNS = 360.0
+NEAR = 0.01
+"""What lies nearer to a line was meant on it, of the mechanism's size: hands click 0.5 mm off on 150 (sd)."""
+PARALLEL = 0.025
+"""So near to being a parallelogram is one: its sides are four clicks, of which 99.9 % are nearer."""
 
 
 class Standing(NamedTuple):
@@ -29,40 +34,70 @@ class Standing(NamedTuple):
     formula: str = ""
     says: Said | str = ""
     lies: Mechanism | None = None
-    driven: Driven | None = None
+    driven: tuple[Driven, ...] = ()
 
     @property
-    def at(self) -> float | None:
-        """Where the drive stands: degrees, or m."""
-        if self.lies is None or self.driven is None:
-            return None
-        return coordinate_of(self.lies, self.driven)
+    def at(self) -> tuple[float, ...]:
+        """Where its drives stand: degrees, or m."""
+        lies = self.lies
+        return () if lies is None else tuple(coordinate_of(lies, one) for one in self.driven)
 
 
 def standing_of(sketch: Sketch, doc: Document) -> Standing:
     """Return what a sketch is."""
     if len(sketch["links"]) < 2:
         return Standing(says=SCHEME_WORDS["scheme begin"])
-    drive, number = sketch["drive"], sketch["links"][1]["number"]
+    drives = sketch["drives"]
     given = ("title", "language", "units", "task", "lengths", "link", "drive")
     lies = lying_document(sketch, {key: doc[key] for key in given if key in doc})
-    lies["drive"] = drive_table(doc, drive if drive is not None else number, {})
+    undriven = {"link": sketch["links"][1]["number"], "speed": 0}
+    lies["drive"] = drive_tables(doc, drives) if drives else undriven
     try:
         mechanism = understood(lies, "scheme").mechanism
     except SceneError as error:
         return Standing(says=error.faults[0].message)
     assert mechanism is not None
-    counted = count(mechanism)
-    w = counted.mobility
-    if drive is None and w == 1:
+    w = count(mechanism).mobility
+    if not drives and w == 1:
         return Standing(w, "", said("W = 1: say which link is driven."))
     try:
         structure = dissect(built(mechanism).mechanism)
     except StructureError as error:
-        says = error.says if drive is not None else _lacks(w)
-        loose = _loose(sketch) if w > len(mechanism.drives) else ""
-        return Standing(w, "", joined("; ", filter(None, (says, loose))))
-    return Standing(w, structure.formula, "", mechanism, structure.first)
+        return Standing(w, "", joined("; ", filter(None, _lacks(sketch, mechanism, w, error))))
+    return Standing(w, structure.formula, "", mechanism, structure.driven)
+
+
+def _lacks(
+    sketch: Sketch, mechanism: Mechanism, w: int, error: StructureError
+) -> tuple[Said | str, ...]:
+    """Return what is said of a sketch that is no mechanism yet, and what might be done."""
+    drives = len(sketch["drives"])
+    loose = _loose(sketch) if w > max(drives, 1) else ""
+    if drives > w > 0:
+        return (
+            said(
+                "W = {w}, but {count} links are driven: click one of them with the tool that drives no more",
+                w=w,
+                count=drives,
+            ),
+        )
+    if not drives:
+        return _undriven(w, loose), _doubled(mechanism) if w < 1 else loose
+    if w < drives:
+        return error.says, _doubled(mechanism)
+    further = said("or another link is driven, too: click it with the tool")
+    return error.says, loose, further if w > drives else ""
+
+
+def _undriven(w: int, loose: Said | str) -> Said:
+    """Return what is said of a mechanism without a drive that cannot be driven by one."""
+    if w > 1 and not loose:
+        return said("W = {w}: say which links are driven, {w} of them.", w=w)
+    if w > 1:
+        return said(
+            "W = {w}: a support, a slider or a further link is missing, or several drives", w=w
+        )
+    return said("W = {w}: nothing can move; a pair is too many", w=f"{w}".replace("-", "−"))
 
 
 def _loose(sketch: Sketch) -> Said | str:
@@ -73,21 +108,25 @@ def _loose(sketch: Sketch) -> Said | str:
     return said("joined with nothing: {letters}", letters=", ".join(loose)) if loose else ""
 
 
-def _lacks(w: int) -> Said:
-    """Return what is said of a mechanism without a drive that cannot be driven by one."""
-    if w > 1:
-        return said(
-            "W = {w}: a support, a slider or a further link is missing, or several drives", w=w
-        )
-    return said("W = {w}: nothing can move; a pair is too many", w=f"{w}".replace("-", "−"))
+def _doubled(mechanism: Mechanism) -> Said | str:
+    """Return what is said of a third crank that goes parallel with two others; it repeats what they hold."""
+    near = PARALLEL * size_of(mechanism)
+    for crank in mechanism.links:
+        others = {one.number for one in parallel_cranks(mechanism, crank.number, near)}
+        if len(others) > 1:
+            driven = {one.link for one in mechanism.drives}
+            return said(
+                "links {listed} go parallel: the tool makes link {number} passive",
+                listed=", ".join(map(str, sorted({crank.number, *others}))),
+                number=max(others - driven),
+            )
+    return ""
 
 
-def drive_table(doc: Document, link: int, way: Mapping[str, Any]) -> Any:
-    """Return the drive of a scene, of the link that is driven now."""
-    told = doc.get("drive", {"speed": 0})
-    if isinstance(told, list):
-        return [{**as_table(told[0]), "link": link, **way}, *told[1:]]
-    return {"link": link, **{k: v for k, v in as_table(told).items() if k != "link"}, **way}
+def size_of(mechanism: Mechanism) -> float:
+    """Return how far the letters of a mechanism that lies reach from its first, m."""
+    places = [z for link in (mechanism.frame, *mechanism.drawn) for z in link.points.values()]
+    return max(abs(z - places[0]) for z in places)
 
 
 def coordinate_of(lies: Mechanism, driven: Driven) -> float:

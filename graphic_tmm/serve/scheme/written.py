@@ -9,43 +9,48 @@ from pathlib import Path as File
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.sketch import built
-from graphic_tmm.scene.document import Document, as_table, toml
+from graphic_tmm.scene.document import Document, toml
 from graphic_tmm.scene.joints import UNSURE, unseen_side
 from graphic_tmm.scene.link_tables import tables_of
 from graphic_tmm.scene.mechanism import Joints
 from graphic_tmm.scene.moved import rewritten
 from graphic_tmm.scene.read import understood
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.serve.scheme.drives import drive_tables, first_table, starts_of, zero_of
+from graphic_tmm.serve.scheme.paralleled import paralleled
 from graphic_tmm.serve.scheme.sketches import Sketch, with_centres
-from graphic_tmm.serve.scheme.standing import Standing, drive_table
+from graphic_tmm.serve.scheme.standing import NEAR, Standing, size_of
 
 STEP, SMALL = 1e-3, 1e-4
 """Lengths are multiples of the first, m; of a mechanism smaller than `TINY` of the second."""
 TINY = 0.05
-NEAR = 0.01
-"""What lies nearer to a line was meant on it, of the mechanism's size: hands click 0.5 mm off on 150 (sd)."""
 SPAN = 0.15
 """A drive that slides goes so far to both sides of where it was drawn, of the size, until told else."""
+DEAD = 1e-6
+"""Of a parallelogram the side is known up to its dead places: it is one, and was not drawn so by chance."""
 BARE = ("task", "lengths", "frame", "joints", "link", "drive")
 """The sections that say where everything lies."""
 
 
 def scene_text(text: str, doc: Document, sketch: Sketch, stands: Standing, file: File) -> str:
     """Return the text of a scene whose mechanism lies so: new where there was none."""
-    lies, driven, at = stands.lies, stands.driven, stands.at
+    lies, (driven, *_), at = stands.lies, stands.driven, stands.at
     assert lies is not None
-    assert driven is not None
-    assert at is not None
-    size = _size(lies)
-    before = positions_scene(doc).mechanism if "link" in doc else None
-    found = built(lies, at if driven.pair.kind == "R" else 0.0, before)
+    size, turns = size_of(lies), driven.pair.kind == "R"
+    hand = Joints(to=STEP if size > TINY else SMALL, near=NEAR * size)
+    scene = positions_scene(doc) if "link" in doc else None
+    before = scene.mechanism if scene is not None else None
+    lies, hand, parallel = paralleled(lies, driven, before, hand)
+    found = built(lies, at[0] if turns else 0.0, before)
     mechanism = found.mechanism
     for name, doubt in found.doubt.items():
-        if doubt < UNSURE:
+        least = DEAD if parallel.intersection(map(int, name.split("-"))) else UNSURE
+        if doubt < least:
             mechanism = _sided(mechanism, before, name, file)
-    hand = Joints(to=STEP if size > TINY else SMALL, near=NEAR * size)
-    way = {} if driven.pair.kind == "R" else _way(doc, at, size)
-    drive = drive_table(doc, lies.drive.link, way)
+    link = lies.drive.link
+    way = {} if turns else _way(first_table(doc, link), at[0], size)
+    starts = starts_of(lies.drives, at, zero_of(scene, link, way), before)
+    drive = drive_tables(doc, [one.link for one in lies.drives], way, starts)
     tables = {**tables_of(mechanism, hand, with_centres(doc, sketch), lies), "drive": drive}
     return rewritten(text or _head(doc), tables)
 
@@ -77,9 +82,8 @@ def _sided(mechanism: Mechanism, before: Mechanism | None, group: str, file: Fil
 def origin_of(stands: Standing) -> complex:
     """Return by how much a new mechanism is shifted, m: where it is driven, or first held, is the origin."""
     assert stands.lies is not None
-    assert stands.driven is not None
-    fixed = stands.lies.frame.points
-    letter = stands.driven.pair.name if stands.driven.pair.kind == "R" else next(iter(fixed), "")
+    fixed, (first, *_) = stands.lies.frame.points, stands.driven
+    letter = first.pair.name if first.pair.kind == "R" else next(iter(fixed), "")
     return -fixed[letter] if letter in fixed else 0j
 
 
@@ -88,10 +92,8 @@ def _head(doc: Document) -> str:
     return "".join(f"{key} = {toml(value)}\n" for key, value in doc.items())
 
 
-def _way(doc: Document, at: float, size: float) -> Mapping[str, str]:
+def _way(first: Document, at: float, size: float) -> Mapping[str, str]:
     """Return the row of a drive that slides: what was written, else about where it was drawn."""
-    told = doc.get("drive")
-    first = as_table(told[0] if isinstance(told, list) else told)
     if "from" in first or isinstance(first.get("positions"), list):
         return {}
     span = SPAN * size
@@ -106,7 +108,3 @@ def positions_scene(doc: Document) -> Scene:
     }
     return understood(kept, "scheme")
 
-
-def _size(mechanism: Mechanism) -> float:
-    places = [z for link in (mechanism.frame, *mechanism.drawn) for z in link.points.values()]
-    return max(abs(z - places[0]) for z in places)
