@@ -30,7 +30,7 @@ def drive_tables(
 ) -> Any:
     """Return the drives of a scene, of the links that are driven now: a table, or a list of them.
 
-    ``way``: what is new of the row of the first; ``starts``: where those behind it begin, by the number of the link.
+    ``way``: what is new of the row of the first; ``starts``: where those behind it begin, by link.
     """
     tables = tables_of_drives(doc)
     known = {one.get("link"): one for one in tables}
@@ -63,7 +63,7 @@ def tables_of_drives(doc: Document) -> list[Document]:
 def starts_of(
     drives: Sequence[Drive], at: Sequence[float], zero: float, before: Mechanism | None
 ) -> dict[int, str]:
-    """Return where the drives behind the first begin, by their links, as a scene says it; none that has not moved.
+    """Return where the drives behind the first begin, by link, as a scene says it; none that has not moved.
 
     ``at``: where all stand now; ``zero``: where the first begins; ``before``: the mechanism that the scene had.
     """
@@ -77,7 +77,9 @@ def starts_of(
         was = known.get(one.link)
         if was is not None and _apart(start, was.start, turns=not one.slides) < SAME:
             continue
-        found[one.link] = f"{round(start / STEP)} mm" if one.slides else f"{round(start % TURN)} deg"
+        found[one.link] = (
+            f"{round(start / STEP)} mm" if one.slides else f"{round(start % TURN)} deg"
+        )
     return found
 
 
@@ -85,7 +87,8 @@ def zero_of(scene: Scene | None, first: int, way: Mapping[str, str]) -> float:
     """Return where the first of several drives begins, degrees or m; ``way``: what is new of its row."""
     if "from" in way:
         return in_si(way["from"], "length")
-    if scene is None or scene.mechanism is None or first in [d.link for d in scene.mechanism.further]:
+    before = scene.mechanism if scene is not None else None
+    if scene is None or before is None or any(one.link == first for one in before.further):
         return 0.0
     row = scene.row
     ends = row.ends or row.places

@@ -106,7 +106,10 @@ def _given(fields: list[Field], doc: Document, speech: Speech) -> Iterator[tuple
     for field in fields:
         if _is_of_drive(field.path, drives[0]):
             several = len(drives) > 1
-            yield field, _of_link(field, drives, "link", speech) if several else _clause(field, speech)
+            yield (
+                field,
+                _of_link(field, drives, "link", speech) if several else _clause(field, speech),
+            )
     for field in fields:
         match field.path:
             case ("link", int(_), str(key)) if key in OF_LINKS:

@@ -1,4 +1,4 @@
-"""A parallelogram that a hand draws is meant as one: its opposite sides become equal, and it passes its dead places."""
+"""A parallelogram that a hand draws is meant as one: opposite sides become equal, it passes its dead places."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from graphic_tmm.scene.mechanism import DIGITS, Joints
 from graphic_tmm.serve.scheme.standing import NEAR, PARALLEL
 
 FINE = 1e-6
-"""An oblique side of a parallelogram is rounded so, m: to whole millimetres the opposite one would be another."""
+"""An oblique side of a parallelogram is rounded so, m: to whole millimetres the other would be another."""
 HALF_TURN = 180.0
 
 
@@ -33,7 +33,7 @@ class _Sides(Joints):
 
 
 class Paralleled(NamedTuple):
-    """A mechanism that lies, the hand that writes it, and the new cranks of it that go parallel with the driven one."""
+    """A mechanism that lies, the hand that writes it, its new cranks that go parallel with the driven one."""
 
     lies: Mechanism
     hand: Joints

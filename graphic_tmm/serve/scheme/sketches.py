@@ -1,7 +1,7 @@
 """A sketch as a browser sends it, a mechanism as it lies, and each as the other.
 
-JSON: places of letters [x, y], m; links with number, letters, guides and slides, the frame first, each passive or
-not; guides (through, angle) in the axes of the frame; the numbers of the driving links.
+JSON: places of letters [x, y], m; links with number, letters, guides and slides, the frame first, passive
+or not; guides (through, angle) in the axes of the frame; the numbers of the driving links.
 """
 
 from __future__ import annotations

@@ -110,7 +110,7 @@ def _loose(sketch: Sketch) -> Said | str:
 
 def _doubled(mechanism: Mechanism) -> Said | str:
     """Return what is said of a third crank that goes parallel with two others; it repeats what they hold."""
-    near = PARALLEL * size_of(mechanism)
+    near = PARALLEL * breadth_of(mechanism)
     for crank in mechanism.links:
         others = {one.number for one in parallel_cranks(mechanism, crank.number, near)}
         if len(others) > 1:
@@ -123,7 +123,7 @@ def _doubled(mechanism: Mechanism) -> Said | str:
     return ""
 
 
-def size_of(mechanism: Mechanism) -> float:
+def breadth_of(mechanism: Mechanism) -> float:
     """Return how far the letters of a mechanism that lies reach from its first, m."""
     places = [z for link in (mechanism.frame, *mechanism.drawn) for z in link.points.values()]
     return max(abs(z - places[0]) for z in places)

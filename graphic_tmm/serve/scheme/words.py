@@ -19,6 +19,7 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme point": said("Point of a link"),
     "scheme centre": said("Mass centre"),
     "scheme drive": said("Driving link"),
+    "scheme passive": said("Passive link"),
     "scheme undo": said("Take back"),
     "scheme redo": said("Do again"),
     "scheme delete": said("Delete"),
@@ -39,7 +40,12 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme do centre": said(
         "Click the link where its mass centre is; a slider has it at its pin."
     ),
-    "scheme do drive": said("Click the link that is driven."),
+    "scheme do drive": said(
+        "Click the link that is driven, a cylinder too, or one that is driven no more."
+    ),
+    "scheme do passive": said(
+        "Click the link that only repeats what others hold, or one that counts again."
+    ),
     "scheme joined": said("joined with {letter}"),
     "scheme on link": said("on link {number}"),
     "scheme same link": said("These are one pin, or on one link already."),

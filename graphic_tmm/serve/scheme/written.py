@@ -19,7 +19,7 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.serve.scheme.drives import drive_tables, first_table, starts_of, zero_of
 from graphic_tmm.serve.scheme.paralleled import paralleled
 from graphic_tmm.serve.scheme.sketches import Sketch, with_centres
-from graphic_tmm.serve.scheme.standing import NEAR, Standing, size_of
+from graphic_tmm.serve.scheme.standing import NEAR, Standing, breadth_of
 
 STEP, SMALL = 1e-3, 1e-4
 """Lengths are multiples of the first, m; of a mechanism smaller than `TINY` of the second."""
@@ -36,7 +36,7 @@ def scene_text(text: str, doc: Document, sketch: Sketch, stands: Standing, file:
     """Return the text of a scene whose mechanism lies so: new where there was none."""
     lies, (driven, *_), at = stands.lies, stands.driven, stands.at
     assert lies is not None
-    size, turns = size_of(lies), driven.pair.kind == "R"
+    size, turns = breadth_of(lies), driven.pair.kind == "R"
     hand = Joints(to=STEP if size > TINY else SMALL, near=NEAR * size)
     scene = positions_scene(doc) if "link" in doc else None
     before = scene.mechanism if scene is not None else None
@@ -107,4 +107,3 @@ def positions_scene(doc: Document) -> Scene:
         key: one for key, one in doc.items() if key in BARE or not isinstance(one, (dict, list))
     }
     return understood(kept, "scheme")
-

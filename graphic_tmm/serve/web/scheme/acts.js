@@ -140,7 +140,7 @@ export function guided(sketch, letter, angle) {
 export function stoned(sketch, letter, { number, ends }) {
   const made = copyOf(sketch);
   const body = bodyOf(made, number);
-  if (body === undefined || body.points.includes(letter)) return null;
+  if (body === undefined || body.points.includes(letter) || !ends.every((one) => body.points.includes(one))) return null;
   const [first, second] = body.points.indexOf(ends[0]) <= body.points.indexOf(ends[1]) ? ends : [ends[1], ends[0]];
   turnAbout(made, body, letter, [first, second]);
   newBody(made, [letter]).slides.push({ on: number, along: `${first}${second}` });

@@ -23,19 +23,6 @@ import {
 const HALF_TURN = 180;
 
 /**
- * Let a link drive; it is number 1 then, and the one that was has its number.
- * @param {Sketch} sketch
- * @param {number} number
- * @returns {Sketch | null}
- */
-export function driving(sketch, number) {
-  if (number === frameOf(sketch).number || bodyOf(sketch, number) === undefined) return null;
-  const made = renumbered(sketch, number, 1) ?? structuredClone(sketch);
-  made.drive = bodyOf(made, 1) === undefined ? number : 1;
-  return made;
-}
-
-/**
  * Give a link another number; one that has it gets the number of this one.
  * @param {Sketch} sketch
  * @param {number} from
@@ -50,7 +37,7 @@ export function renumbered(sketch, from, to) {
     body.number = other(body.number);
     for (const slide of body.slides) slide.on = other(slide.on);
   }
-  if (made.drive !== null) made.drive = other(made.drive);
+  made.drives = made.drives.map(other);
   return made;
 }
 
@@ -164,7 +151,6 @@ export function withoutLink(sketch, number) {
   const made = structuredClone(sketch);
   made.links = made.links.filter((one) => one.number !== number);
   for (const body of made.links) body.slides = body.slides.filter((one) => one.on !== number);
-  if (made.drive === number) made.drive = null;
   return tidied(made);
 }
 
@@ -211,6 +197,6 @@ function tidied(sketch) {
   const there = new Set(movingOf(sketch).flatMap((one) => one.points));
   frame.points = frame.points.filter((one) => there.has(one));
   sketch.places = Object.fromEntries(Object.entries(sketch.places).filter(([letter]) => there.has(letter)));
-  if (sketch.drive !== null && bodyOf(sketch, sketch.drive) === undefined) sketch.drive = null;
+  sketch.drives = sketch.drives.filter((one) => bodyOf(sketch, one) !== undefined);
   return sketch;
 }

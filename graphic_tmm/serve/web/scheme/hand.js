@@ -1,9 +1,10 @@
 import * as acts from "./acts.js";
 import { moved } from "./changes.js";
 import { joined } from "./joining.js";
+import { drivenBy, repeating } from "./roles.js";
 import { apart, bodiesAt, frameOf, minus, placeOf } from "./sketch.js";
 import { DEGREES } from "./snap.js";
-import { drivenBy, targetOf, TOOL_ACTS } from "./tool-acts.js";
+import { targetOf, TOOL_ACTS } from "./tool-acts.js";
 import { howOf } from "./tools.js";
 
 /**
@@ -54,6 +55,7 @@ export class Hand {
     if (drawn && tool !== "") editor.chosen = {};
     if (tool === "support" && letter !== undefined) editor.act(acts.supported(editor.sketch, letter), {});
     else if (tool === "drive" && number !== undefined) this.drive(number);
+    else if (tool === "passive" && number !== undefined) editor.act(repeating(editor.sketch, number), {});
     else this.tool = tool;
     this.pin = letter ?? "";
     editor.changed();

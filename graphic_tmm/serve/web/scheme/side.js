@@ -47,7 +47,7 @@ export class Side {
     this.rows = new Map(fields.map((one) => [one.key, this.row(one)]));
     arrange(this.lengths, this.group("scheme lengths", fields.filter((one) => one.kind === "length")));
     arrange(this.next, this.group("scheme next", fields.filter((one) => one.kind !== "length")));
-    const state = JSON.stringify([chosen, sketch.links, sketch.drive]);
+    const state = JSON.stringify([chosen, sketch.links, sketch.drives]);
     if (state === this.shown) return;
     this.shown = state;
     const focused = document.activeElement?.getAttribute("data-key");

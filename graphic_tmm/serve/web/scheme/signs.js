@@ -1,5 +1,5 @@
 import { drawnElement } from "../../../page/web/dom.js";
-import { alongOf, apart, bodiesAt, bodyOf, cornersOf, frameOf, lineOf, minus, movingOf, placeOf, stonesAt, unit } from "./sketch.js";
+import { alongOf, apart, bodiesAt, bodyOf, cornersOf, cylinderOf, frameOf, lineOf, minus, movingOf, placeOf, stonesAt, unit } from "./sketch.js";
 
 /**
  * A mechanism as it is drawn: pins, bars, plates, supports, stones and guides, in dots of the screen.
@@ -34,12 +34,13 @@ const DRIVE = 30;
 export function drawnSketch(sketch, view, chosen) {
   const lit = (/** @type {boolean} */ yes) => (yes ? " chosen" : "");
   const bodies = movingOf(sketch);
-  const made = bodies.flatMap((body) => bar(sketch, body, view, lit(chosen.number === body.number)));
+  const how = (/** @type {Body} */ body) => `${lit(chosen.number === body.number)}${body.passive === true ? " passive" : ""}`;
+  const made = bodies.flatMap((body) => bar(sketch, body, view, how(body)));
   made.unshift(...bodies.flatMap((body) => body.slides.flatMap((slide) => rail(sketch, body, slide, view))));
-  made.push(...bodies.flatMap((body) => block(sketch, body, view, lit(chosen.number === body.number))));
+  made.push(...bodies.flatMap((body) => block(sketch, body, view, how(body))));
   for (const letter of frameOf(sketch).points) made.push(support(view.dots(placeOf(sketch, letter))));
   for (const letter of Object.keys(sketch.places)) made.push(...pin(sketch, letter, view, lit(chosen.letter === letter)));
-  if (sketch.drive !== null) made.push(...arrow(sketch, sketch.drive, view));
+  made.push(...sketch.drives.flatMap((one) => arrow(sketch, one, view)));
   return made;
 }
 
@@ -56,8 +57,7 @@ function bar(sketch, body, view, lit) {
     const d = `M${dots.map((one) => one.map(round).join(" ")).join("L")}${dots.length > 2 ? "Z" : ""}`;
     made.push(drawnElement("path", { class: `bar${lit}${body.slides.length > 0 ? " slides" : ""}`, d }));
   }
-  const barrel = Object.entries(body.guides).flatMap(([name]) => cylinderOf(sketch, body, name, view));
-  made.push(...barrel);
+  made.push(...cylinder(sketch, body, view, lit));
   const at = numberAt(sketch, body, view);
   if (at !== null) made.push(drawnElement("text", { class: `number${lit}`, x: round(at[0]), y: round(at[1]) }, text(String(body.number))));
   return made;
@@ -82,25 +82,23 @@ function numberAt(sketch, body, view) {
 }
 
 /**
- * A cylinder: two lines along its guide, closed at its pivot.
+ * The cylinder of a rod: two lines along its guide, closed at its pivot.
  * @param {Sketch} sketch
- * @param {Body} body
- * @param {string} name
+ * @param {Body} rod
  * @param {View} view
+ * @param {string} lit
  */
-function cylinderOf(sketch, body, name, view) {
-  const rod = movingOf(sketch).find((one) => one.slides.some((slide) => slide.on === body.number && slide.along === name));
-  const [pivot] = body.points;
-  const [end] = rod?.points ?? [];
-  if (rod === undefined || pivot === undefined || end === undefined) return [];
-  const [a, b] = [view.dots(placeOf(sketch, pivot)), view.dots(placeOf(sketch, end))];
+function cylinder(sketch, rod, view, lit) {
+  const ends = cylinderOf(sketch, rod);
+  if (ends === null) return [];
+  const [a, b] = /** @type {[Dots, Dots]} */ (ends.map((one) => view.dots(placeOf(sketch, one))));
   const [x, y] = unit(minus(b, a));
   const long = apart(a, b);
   const spot = (/** @type {number} */ along, /** @type {number} */ up) => `${round(a[0] + along * x - up * y)} ${round(a[1] + along * y + up * x)}`;
   const open = 0.62 * long;
   const barrel = `M${spot(open, 9)}L${spot(10, 9)}L${spot(10, -9)}L${spot(open, -9)}M${spot(0, 0)}L${spot(10, 0)}`;
   const piston = `M${spot(0.5 * long, 9)}L${spot(0.5 * long, -9)}M${spot(0.5 * long, 0)}L${spot(long, 0)}`;
-  return [drawnElement("path", { class: "bar", d: barrel }), drawnElement("path", { class: "bar slides", d: piston })];
+  return [drawnElement("path", { class: `bar${lit}`, d: barrel }), drawnElement("path", { class: `bar slides${lit}`, d: piston })];
 }
 
 /**

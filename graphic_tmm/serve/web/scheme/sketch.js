@@ -6,8 +6,8 @@ import { alike } from "./letters.js";
  * @typedef {[number, number]} Place metres, y upward
  * @typedef {{through: Place, angle: number}} Guide degrees
  * @typedef {{on: number, along: string, cylinder?: string}} Slide
- * @typedef {{number: number, points: string[], guides: Record<string, Guide>, slides: Slide[], centre?: string}} Body
- * @typedef {{places: Record<string, Place>, links: Body[], drive: number | null}} Sketch its first link is the frame
+ * @typedef {{number: number, points: string[], guides: Record<string, Guide>, slides: Slide[], centre?: string, passive?: boolean}} Body
+ * @typedef {{places: Record<string, Place>, links: Body[], drives: number[]}} Sketch its first link is the frame
  * @typedef {{letter: string} | {bar: Bar, place: Place} | {place: Place}} Target what is meant: a pin, a bar, a place
  * @typedef {{number: number, ends: [string, string]}} Bar two letters of a link
  */
@@ -18,7 +18,7 @@ const GUIDES = ["x", "y", "z", "t", "n", "s", "u", "w"];
 
 /** @returns {Sketch} */
 export function blankSketch() {
-  return { places: {}, links: [{ number: 0, points: [], guides: {}, slides: [] }], drive: null };
+  return { places: {}, links: [{ number: 0, points: [], guides: {}, slides: [] }], drives: [] };
 }
 
 /** @param {Sketch} sketch */
@@ -122,7 +122,20 @@ export function freeNumber(sketch) {
 }
 
 /**
- * Return the bars of a link: from letter to letter along a row, round a plate.
+ * Return the cylinder that a rod slides in, from its pivot to the rod's pin; null of what is no rod.
+ * @param {Sketch} sketch
+ * @param {Body} body
+ * @returns {[string, string] | null}
+ */
+export function cylinderOf(sketch, body) {
+  const barrel = movingOf(sketch).find((one) => body.slides.some((slide) => slide.on === one.number && slide.along in one.guides));
+  const [pivot] = barrel?.points ?? [];
+  const [pin] = body.points;
+  return pivot === undefined || pin === undefined ? null : [pivot, pin];
+}
+
+/**
+ * Return the bars of a link: from letter to letter along a row, round a plate; of a rod its cylinder.
  * @param {Sketch} sketch
  * @param {Body} body
  * @returns {Bar[]}
@@ -131,9 +144,9 @@ export function barsOf(sketch, body) {
   const { number } = body;
   const points = cornersOf(sketch, body);
   const pairs = points.slice(1).map((letter, k) => /** @type {[string, string]} */ ([points[k], letter]));
-  const first = points[0];
-  const last = points.at(-1);
-  if (points.length > 2 && first !== undefined && last !== undefined) pairs.push([last, first]);
+  if (points.length > 2) pairs.push(/** @type {[string, string]} */ ([points.at(-1), points[0]]));
+  const barrel = cylinderOf(sketch, body);
+  if (barrel !== null) pairs.push(barrel);
   return pairs.map((ends) => ({ number, ends }));
 }
 

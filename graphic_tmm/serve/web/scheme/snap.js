@@ -69,7 +69,8 @@ export function pinAt(sketch, view, spot, reach, except) {
 export function barAt(sketch, view, spot, reach, except) {
   let best = null;
   let near = reach;
-  for (const bar of movingOf(sketch).flatMap((one) => (one.points.includes(except ?? "") ? [] : barsOf(sketch, one)))) {
+  for (const bar of movingOf(sketch).flatMap((one) => barsOf(sketch, one))) {
+    if (except !== undefined && (bar.ends.includes(except) || bodyOf(sketch, bar.number)?.points.includes(except))) continue;
     const [a, b] = /** @type {[Dots, Dots]} */ (bar.ends.map((one) => view.dots(placeOf(sketch, one))));
     const long = apart(a, b);
     const foot = footOf({ through: a, way: unit(minus(b, a)) }, spot);

@@ -1,5 +1,5 @@
 import * as acts from "./acts.js";
-import { driving } from "./changes.js";
+import { drivenBy, repeating } from "./roles.js";
 import { bodiesAt, frameOf } from "./sketch.js";
 import { guideBar } from "./snap.js";
 
@@ -11,7 +11,7 @@ import { guideBar } from "./snap.js";
  * @typedef {import("./sketch.js").Sketch} Sketch
  * @typedef {import("./sketch.js").Target} Target
  * @typedef {import("./snap.js").Meant} Meant
- * @typedef {"support" | "slider" | "stone" | "cylinder" | "point" | "centre" | "drive"} ToolName
+ * @typedef {"support" | "slider" | "stone" | "cylinder" | "point" | "centre" | "drive" | "passive"} ToolName
  * @typedef {{begun: Meant, meant: Meant, drawn: boolean, angle: number, pin: string}} Use where it was pressed and released;
  *   angle: of the way between them, degrees; pin: that it is for, "" for none
  * @typedef {{sketch: Sketch | null, letter?: string, numbers?: Record<string, number>} | {wait?: string, link?: number} | null} Done
@@ -32,24 +32,18 @@ export const TOOL_ACTS = {
     return link === undefined ? null : { link };
   },
   centre: ({ sketch, chosen }, { meant }) => {
-    const number = weighedAt(sketch, meant) ?? chosen.number;
+    const number = sliderAt(sketch, meant) ?? linkAt(sketch, meant) ?? chosen.number;
     return number === undefined ? null : { sketch: acts.centred(sketch, number, targetOf(meant)) };
   },
   drive: ({ sketch }, { meant }) => {
     const number = linkAt(sketch, meant);
     return number === undefined ? null : drivenBy(sketch, number);
   },
+  passive: ({ sketch }, { meant }) => {
+    const number = sliderAt(sketch, meant) ?? linkAt(sketch, meant);
+    return number === undefined ? null : { sketch: repeating(sketch, number) };
+  },
 };
-
-/**
- * Let a link drive, as number 1.
- * @param {Sketch} sketch
- * @param {number} number
- * @returns {{sketch: Sketch | null, numbers: Record<string, number>}}
- */
-export function drivenBy(sketch, number) {
-  return { sketch: driving(sketch, number), numbers: number === 1 ? {} : { [number]: 1 } };
-}
 
 /**
  * Return the link that is meant: that of a bar, at a pin the one with most letters.
@@ -63,14 +57,13 @@ function linkAt(sketch, { letter, bar }) {
 }
 
 /**
- * Return the link whose mass centre is meant: at the pin of a slider the slider.
+ * Return the slider at the pin that is meant.
  * @param {Sketch} sketch
  * @param {Meant} meant
  */
-function weighedAt(sketch, meant) {
-  const there = meant.letter === undefined ? [] : bodiesAt(sketch, meant.letter);
-  const slider = there.find((one) => one !== frameOf(sketch) && one.points.length === 1);
-  return slider?.number ?? linkAt(sketch, meant);
+function sliderAt(sketch, { letter }) {
+  const there = letter === undefined ? [] : bodiesAt(sketch, letter);
+  return there.find((one) => one !== frameOf(sketch) && one.points.length === 1)?.number;
 }
 
 /**
