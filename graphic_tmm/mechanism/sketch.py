@@ -363,9 +363,10 @@ def _put_along(
 def _put_left(links: dict[int, Link], group: Group, drawn: Mechanism, degrees: float) -> float:
     """Give a group of turning pairs the side of its inner pin; return how far from where it may turn over."""
     first, second = group.legs
-    owner = drawn.by_number[first.link]
     a, c = (drawn.by_number[leg.link].points[leg.pair.name] for leg in group.legs)
-    b = owner.points[group.inner.name]
+    # where the first leg is a cylinder, the pin is its rod's
+    name = group.inner.name
+    b = next(one.points[name] for one in drawn.by_number.values() if name in one.points)
     cross = ((c - a).conjugate() * (b - a)).imag
     told = [n for leg in group.legs if drawn.by_number[n := leg.link].side is not None]
     lies = drawn.by_number[told[0]].side if told else None

@@ -149,3 +149,44 @@ def v_engine(hand: SchemeHand) -> None:
     hand.take("drive")
     hand.click((430, 405))
     hand.whole("I(1) → II(2-3) → II(4-5)")
+
+
+def excavator(hand: SchemeHand) -> None:
+    """A boom and a stick, each with a cylinder that drives it."""
+    hand.drag((200, 380), (420, 180))
+    hand.take("support")
+    hand.click((200, 380))
+    hand.take("cylinder")
+    hand.drag((330, 400), (310, 280))
+    hand.take("support")
+    hand.click((330, 400))
+    hand.drag((420, 180), (560, 330))
+    hand.take("point")
+    hand.click((490, 255))
+    hand.click((385, 110))
+    hand.take("cylinder")
+    hand.drag((360, 235), hand.pin("E"))
+    for spot in ((324, 360), (372, 172)):
+        hand.take("drive")
+        hand.click(spot)
+    hand.whole("I(1-2), I(5-6) → II(2-3) → II(4-5)")
+
+
+def parallel_cranks(hand: SchemeHand) -> None:
+    """Three wheels and their rod; the third crank repeats what two hold."""
+    hand.drag((200, 380), (260, 300))
+    hand.take("support")
+    hand.click((200, 380))
+    hand.drag((260, 300), (660, 302))
+    hand.drag((600, 380), (660, 302))
+    hand.take("support")
+    hand.click((600, 380))
+    hand.drag((403, 380), (461, 301))
+    hand.take("support")
+    hand.click((403, 380))
+    hand.take("drive")
+    hand.click((230, 340))
+    hand.says("links 1, 3, 4 go parallel: the tool makes link 4 passive")
+    hand.take("passive")
+    hand.click((432, 341))
+    hand.whole("I(1) → II(2-3)")

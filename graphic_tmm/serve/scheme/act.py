@@ -97,7 +97,7 @@ def scheme(
             shift = origin_of(stands)
             sketch = shifted(sketch, shift)
             stands = standing_of(sketch, doc)
-        text = scene_text(text, doc, sketch, stands, file)
+        text = scene_text(text, doc, sketch, stands, file, scaled=asked.scale)
         asked = asked._replace(at=stands.at[0])
     if asked.section:
         text = with_section(text, asked.section, asked.typed, file, speech)

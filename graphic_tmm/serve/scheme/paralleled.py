@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from itertools import count
+from typing import Any, NamedTuple
 
 from graphic_tmm.mechanism.driven import Driven
-from graphic_tmm.mechanism.parallel import parallel_cranks
+from graphic_tmm.mechanism.parallel import Parallel, parallel_cranks
 from graphic_tmm.mechanism.records import Link, Mechanism, Side
 from graphic_tmm.mechanism.sketch import placed
+from graphic_tmm.scene.document import Document
 from graphic_tmm.scene.mechanism import DIGITS, Joints
 from graphic_tmm.serve.scheme.standing import NEAR, PARALLEL
 
@@ -37,7 +40,7 @@ class Paralleled(NamedTuple):
 
     lies: Mechanism
     hand: Joints
-    cranks: frozenset[int] = frozenset()
+    cranks: Mapping[int, Parallel] = {}
 
 
 def paralleled(
@@ -46,10 +49,10 @@ def paralleled(
     """Return a mechanism whose new cranks go parallel with the driven one where they nearly did."""
     if driven.pair.kind != "R":
         return Paralleled(lies, hand)
-    known = {one.number for one in before.links} if before is not None else set()
+    known = {number for number, _ in _counted(before) & _counted(lies)}
     fixed = before.frame.points if before is not None else {}
     near = hand.near * PARALLEL / NEAR
-    kept = dict[int, float]()
+    kept, cranks = list[float](), dict[int, Parallel]()
     for one in list(parallel_cranks(lies, driven.link, near)):
         if one.number in known:
             continue
@@ -63,13 +66,55 @@ def paralleled(
         flipping = Side(1, flips_at=(dead, dead + HALF_TURN))
         links = (_with_side(link, one.number, flipping) for link in lies.links)
         lies = replace(lies, links=tuple(links))
-        kept[one.number] = abs(end - start)
-    sides = _Sides(hand.to, hand.near, kept=tuple(kept.values()))
-    return Paralleled(lies, sides, frozenset(kept))
+        kept.append(abs(end - start))
+        cranks[one.number] = one
+    return Paralleled(lies, _Sides(hand.to, hand.near, kept=tuple(kept)), cranks)
+
+
+def with_named_sides(
+    tables: Document, driven: int, cranks: Mapping[int, Parallel], before: Mechanism | None
+) -> Document:
+    """Return the tables of a scene in which opposite sides of parallelograms are one named length.
+
+    Whoever types one of them is asked whether the other changes, too. What ``before`` had stays as it is written.
+    """
+    bodies = (before.frame, *before.drawn) if before is not None else ()
+    known = {letter for one in bodies for letter in one.points}
+    links = {one["number"]: one["points"] for one in tables["link"]}
+    names = dict(tables.get("lengths", {}))
+    for number, one in cranks.items():
+        pivot, pin = one.beside
+        coupler = next(k for k, it in links.items() if {pin, one.pin} <= {*it})
+        frame = tables["frame"]
+        _name(names, "r" if pin not in known else "", [links[driven][pin], links[number][one.pin]])
+        if frame[pivot] == [0, 0] == links[coupler][pin]:
+            fresh = not {one.pivot, one.pin} & known
+            _name(names, "b" if fresh else "", [frame[one.pivot], links[coupler][one.pin]])
+    return {**tables, "lengths": names} if names else tables
+
+
+def _name(names: dict[str, Any], like: str, points: list[Any]) -> None:
+    """Call the x of two points on the x axis, which is the same, by one name: that of the first, or one like this."""
+    (first, off), (second, level) = points
+    known = names.get(first) if isinstance(first, str) else None
+    if off or level or second != (first if known is None else known) or not (like or known):
+        return
+    if known is None:
+        others = (f"{like}_{k}" for k in count(2))
+        first = like if like not in names else next(one for one in others if one not in names)
+        names[first] = second
+    for one in points:
+        one[0] = first
 
 
 def _with_side(link: Link, number: int, side: Side) -> Link:
     return replace(link, side=side) if link.number == number else link
+
+
+def _counted(mechanism: Mechanism | None) -> set[tuple[int, bool]]:
+    """Return the links of a mechanism, each with whether it is passive."""
+    drawn = mechanism.drawn if mechanism is not None else ()
+    return {(one.number, mechanism is not None and one in mechanism.passive) for one in drawn}
 
 
 def _way(way: complex, near: float, hand: Joints) -> complex:

@@ -17,7 +17,7 @@ from graphic_tmm.scene.moved import rewritten
 from graphic_tmm.scene.read import understood
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.serve.scheme.drives import drive_tables, first_table, starts_of, zero_of
-from graphic_tmm.serve.scheme.paralleled import paralleled
+from graphic_tmm.serve.scheme.paralleled import paralleled, with_named_sides
 from graphic_tmm.serve.scheme.sketches import Sketch, with_centres
 from graphic_tmm.serve.scheme.standing import NEAR, Standing, breadth_of
 
@@ -32,8 +32,10 @@ BARE = ("task", "lengths", "frame", "joints", "link", "drive")
 """The sections that say where everything lies."""
 
 
-def scene_text(text: str, doc: Document, sketch: Sketch, stands: Standing, file: File) -> str:
-    """Return the text of a scene whose mechanism lies so: new where there was none."""
+def scene_text(
+    text: str, doc: Document, sketch: Sketch, stands: Standing, file: File, *, scaled: bool = False
+) -> str:
+    """Return the text of a scene whose mechanism lies so: new where there was none; ``scaled``: all of it is."""
     lies, (driven, *_), at = stands.lies, stands.driven, stands.at
     assert lies is not None
     size, turns = breadth_of(lies), driven.pair.kind == "R"
@@ -44,7 +46,7 @@ def scene_text(text: str, doc: Document, sketch: Sketch, stands: Standing, file:
     found = built(lies, at[0] if turns else 0.0, before)
     mechanism = found.mechanism
     for name, doubt in found.doubt.items():
-        least = DEAD if parallel.intersection(map(int, name.split("-"))) else UNSURE
+        least = DEAD if parallel.keys() & {*map(int, name.split("-"))} else UNSURE
         if doubt < least:
             mechanism = _sided(mechanism, before, name, file)
     link = lies.drive.link
@@ -52,7 +54,10 @@ def scene_text(text: str, doc: Document, sketch: Sketch, stands: Standing, file:
     starts = starts_of(lies.drives, at, zero_of(scene, link, way), before)
     drive = drive_tables(doc, [one.link for one in lies.drives], way, starts)
     tables = {**tables_of(mechanism, hand, with_centres(doc, sketch), lies), "drive": drive}
-    return rewritten(text or _head(doc), tables)
+    if "lengths" in doc:
+        tables["lengths"] = doc["lengths"]
+    tables = with_named_sides(tables, link, parallel, before)
+    return rewritten(text or _head(doc), tables, everywhere=scaled)
 
 
 def _sided(mechanism: Mechanism, before: Mechanism | None, group: str, file: File) -> Mechanism:

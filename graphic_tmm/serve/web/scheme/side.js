@@ -140,6 +140,8 @@ export class Side {
     if (PLAIN.test(field.text) && GLUED.test(value)) return row.refuse([editor.say("scheme glued")]);
     const send = (/** @type {string} */ key) => void row.send(typeValue(editor, key, value, field.kind === "length"));
     if (field.name === "") return send(field.key);
+    // the first length is the scale of all
+    if (!editor.measured && field.kind === "length") return send(field.name);
     const question = element("p", { class: "question", role: "alert" }, editor.say("scheme named", { name: field.text }), " ");
     for (const [key, says] of [[field.name, "scheme everywhere"], [field.key, "scheme here"]]) {
       const button = element("button", { type: "button" }, editor.say(says ?? ""));
