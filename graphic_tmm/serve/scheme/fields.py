@@ -66,9 +66,7 @@ def _json(
 
 def _lengths(fields: list[Field], doc: Document) -> Iterator[tuple[Field, str]]:
     """Yield named lengths, those of links, then what places points and guides of the frame."""
-    for field in fields:
-        if field.path[0] == LENGTHS and len(field.path) == 2:
-            yield field, str(field.path[-1])
+    yield from ((one, str(one.path[1])) for one in fields if one.path[0] == LENGTHS)
     for field in fields:
         match field.path:
             case ("link", int(k), "points", str(letter), int(axis)):

@@ -76,7 +76,7 @@ def with_named_sides(
 ) -> Document:
     """Return the tables of a scene in which opposite sides of parallelograms are one named length.
 
-    Whoever types one of them is asked whether the other changes, too. What ``before`` had stays as it is written.
+    Whoever types one of them is asked whether the other changes, too. What ``before`` had stays as it is.
     """
     bodies = (before.frame, *before.drawn) if before is not None else ()
     known = {letter for one in bodies for letter in one.points}
@@ -94,7 +94,7 @@ def with_named_sides(
 
 
 def _name(names: dict[str, Any], like: str, points: list[Any]) -> None:
-    """Call the x of two points on the x axis, which is the same, by one name: that of the first, or one like this."""
+    """Call the x of two points on the x axis by one name, where it is the same."""
     (first, off), (second, level) = points
     known = names.get(first) if isinstance(first, str) else None
     if off or level or second != (first if known is None else known) or not (like or known):

@@ -35,7 +35,10 @@ BARE = ("task", "lengths", "frame", "joints", "link", "drive")
 def scene_text(
     text: str, doc: Document, sketch: Sketch, stands: Standing, file: File, *, scaled: bool = False
 ) -> str:
-    """Return the text of a scene whose mechanism lies so: new where there was none; ``scaled``: all of it is."""
+    """Return the text of a scene whose mechanism lies so: new where there was none.
+
+    ``scaled``: all of it has another size.
+    """
     lies, (driven, *_), at = stands.lies, stands.driven, stands.at
     assert lies is not None
     size, turns = breadth_of(lies), driven.pair.kind == "R"
