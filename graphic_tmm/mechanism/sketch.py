@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from graphic_tmm.mechanism.groups import Group, Pair, class_two
 from graphic_tmm.mechanism.guides import level, turn
-from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Side, Slide
+from graphic_tmm.mechanism.records import Arm, Guide, Link, Mechanism, Side, Slide
 from graphic_tmm.mechanism.structure import dissect
 
 SAME = 1e-12
@@ -263,6 +263,17 @@ def _axes_like(link: Link, like: Link, size: float) -> Pose:
         _axes(link, size).angle,
     ]
     return Pose(origin - was * turn(directions[0]), directions[0])
+
+
+def parted(body: Link, arm: Arm, like: Link | None) -> tuple[Link, float]:
+    """Return an arm of a body in own axes as a link in its own, and how far these are turned, degrees.
+
+    ``like``: the arm keeps the own axes that it has in it.
+    """
+    bare = Link(arm.number, {letter: body.points[letter] for letter in arm.letters})
+    size = _size(body.points.values())
+    pose = _axes(bare, size) if like is None else _axes_like(bare, like, size)
+    return _own(bare, {arm.number: pose}, size), _angle(pose.angle)
 
 
 def _between(first: complex, second: complex) -> float:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import MISSING
+from dataclasses import MISSING, replace
+from functools import cached_property
 from typing import Any
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Slide
+from graphic_tmm.mechanism.records import Arm, Guide, Link, Mechanism, Slide
+from graphic_tmm.mechanism.sketch import parted
 from graphic_tmm.scene import guides
+from graphic_tmm.scene import mechanism as m
 from graphic_tmm.scene.build import mechanism_of
 from graphic_tmm.scene.declare import FAULTY, Names, Sort
 from graphic_tmm.scene.document import Document, as_table, raw_links
@@ -18,10 +21,13 @@ from graphic_tmm.scene.mechanism import DIGITS, Joints
 from graphic_tmm.scene.quantities import measuring, si
 from graphic_tmm.scene.sections import lengths_of, measures, understand
 from graphic_tmm.scene.values import LINK_SIDE, SENSE
+from graphic_tmm.scene.weld import OF_BODY
 
 AS_IT_IS = Joints()
 """The hand that rounds nothing."""
-_GEOMETRY = ("points", "guides", "slides", "passive")
+_GEOMETRY = ("points", "guides", "slides", "passive", "weld")
+TENTHS = 0.1
+"""The angle of an arm is rounded so, degrees, where lengths are."""
 
 
 def tables_of(
@@ -176,13 +182,49 @@ class _Tables:
         if joints := as_table(self.doc.get("joints")):
             made["joints"] = self._settled("joints", joints, self._joints, hand)
         links = {one.number: one for one in self.mechanism.drawn}
-        welded = {arm.number: one for one in links.values() for arm in one.arms}
-        for number in dict.fromkeys((*self.told, *links)):
-            if number in welded:
-                made["link"].append(self._as_it_was(number, welded[number]))
+        arms = {arm.number: (one, arm) for one in links.values() for arm in one.arms[1:]}
+        for number in dict.fromkeys((*self.told, *links, *arms)):
+            if number in arms:
+                made["link"].append(self._arm(*arms[number], hand))
             elif number in links:
-                made["link"].append(self._link(links[number], hand))
+                made["link"].append(self._link(self._without_arms(links[number]), hand))
         return made
+
+    def _without_arms(self, body: Link) -> Link:
+        """Return a body that others are welded to by itself; refuse what slides at an arm and has changed."""
+        if not body.arms:
+            return body
+        if any(slides_of(self.told.get(one.number, {})) for one in body.arms[1:]):
+            self._refuse_changed(body)
+        return replace(body, points={k: body.points[k] for k in body.arms[0].letters})
+
+    def _arm(self, body: Link, arm: Arm, hand: Joints) -> Document:
+        """Return the table of an arm of a body, in the own axes that it had if it was there."""
+        told = self.told.get(arm.number, {})
+        if told.get("guides") or told.get("slides"):
+            self._refuse_changed(body)
+            return told
+        known = next(
+            (Link(arm.number, dict(one.points)) for one in self.links if one.number == arm.number),
+            None,
+        )
+        own, angle = parted(body, arm, known)
+        kept = {k: x for k, x in told.items() if k not in (*_GEOMETRY, *OF_BODY)}
+
+        def table(by: Joints) -> Document:
+            shown = round(angle / TENTHS) * TENTHS if by.to else angle
+            weld = {"to": body.number, "angle": _degrees(shown)}
+            return {**kept, **link_table(own, by, self.mechanism.frame.number, told), "weld": weld}
+
+        sort = inner(sort_of("link"), [], 0)
+        made: Document = _settled(sort, told, table(AS_IT_IS), table(hand), self.names)
+        return made
+
+    @cached_property
+    def links(self) -> list[m.Link]:
+        """The links that the scene had, each as it is written."""
+        found = understand(self.doc)[0].links if self.doc.get("link") else []
+        return [one for one in found if one is not None]
 
     def _settled(self, section: str, told: Document, table: Any, hand: Joints) -> Any:
         sort = sort_of(section)
@@ -274,16 +316,15 @@ class _Tables:
             made["slides"] = slides if isinstance(own["slides"], list) else slides[0]
         return made
 
-    def _as_it_was(self, number: int, body: Link) -> Document:
-        """Return the table of a part of a body that is welded; refuse a body that has changed."""
+    def _refuse_changed(self, body: Link) -> None:
+        """Refuse a body that has changed of which an arm slides or is slid on."""
         was = mechanism_of(understand(self.doc)[0])
         if was is None or not alike(was.by_number.get(body.number), body):
             says = said(
                 "link {body} has arms that are told in their own axes; change them in the file",
                 body=body.number,
             )
-            raise SceneError("", (Fault(f"link {number}", 0, says),))
-        return self.told[number]
+            raise SceneError("", (Fault(f"link {body.number}", 0, says),))
 
 
 def _is_listed(link: Mapping[str, Any]) -> bool:

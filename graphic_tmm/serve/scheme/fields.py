@@ -73,7 +73,7 @@ def _lengths(fields: list[Field], doc: Document) -> Iterator[tuple[Field, str]]:
                 points = doc["link"][k]["points"]
                 if not ZERO.fullmatch(field.text):
                     yield field, _of_point(points, letter, axis)
-            case ("link", int(k), "slides", *_) if field.written and field.path[-1] in (
+            case ("link", int(k), "slides" | "weld", *_) if field.written and field.path[-1] in (
                 "offset",
                 "angle",
             ):

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from graphic_tmm.mechanism.guides import turn
@@ -25,8 +26,10 @@ BLANK: Sketch = {
     "drives": [],
 }
 """Nothing but the frame."""
-GEOMETRY = ("points", "guides", "slides", "centre", "passive")
+GEOMETRY = ("points", "guides", "slides", "centre", "passive", "weld")
 """Keys of a link that a sketch tells."""
+ARM = ("guides", "slides")
+"""Keys of a link that a sketch cannot show at an arm: it shows one plate then."""
 SIDES = ("side", "flips_at")
 """Keys that say where a link lies: one that is passive has none."""
 
@@ -86,6 +89,7 @@ def _is_link(told: object, places: Mapping[str, object]) -> bool:
         )
         and isinstance(told.get("centre", ""), str)
         and isinstance(told.get("passive", False), bool)
+        and ("weld" not in told or _is_number(told["weld"]))
     )
 
 
@@ -114,9 +118,12 @@ def with_centres(doc: Document, sketch: Sketch) -> Document:
     links = []
     for link in doc.get("link", ()):
         now = drawn.get(link.get("number"), {})
+        points = [
+            k for one in sketch["links"] if link.get("number") in _whose(one) for k in one["points"]
+        ]
         if now.get("centre"):
             link = {**link, "centre": now["centre"]}
-        elif now and "centre" in link and link["centre"] not in now["points"]:
+        elif now and "centre" in link and link["centre"] not in points:
             link = {key: value for key, value in link.items() if key != "centre"}
         links.append(link)
     return {**doc, "link": links} if links else doc
@@ -132,10 +139,12 @@ def _link(
     link: Mapping[str, Any], places: Mapping[str, Any], frame: int, known: Mapping[str, Any]
 ) -> Document:
     passive = link.get("passive", False)
-    gone = (*GEOMETRY, *SIDES) if passive else GEOMETRY
+    gone = (*GEOMETRY, *SIDES) if passive or "weld" in link else GEOMETRY
     made = {key: value for key, value in known.items() if key not in gone}
     made |= {"number": link["number"]} | ({"passive": True} if passive else {})
     made["points"] = {letter: _place(places[letter]) for letter in link["points"]}
+    if "weld" in link:
+        made["weld"] = {"to": link["weld"], "angle": "0 deg"}
     if link["guides"]:
         made["guides"] = _guides(link)
     before = known.get("slides", [])
@@ -201,15 +210,47 @@ def sketch_of(lies: Mechanism, places: Mapping[str, complex], doc: Document) -> 
 
     ``places``: of its letters, m; ``doc``: its scene: a mass centre is drawn as one where that says so.
     """
-    centres = {one.get("number"): one.get("centre") for one in doc["link"]}
+    told = {one.get("number"): one for one in doc["link"]}
+    centres = {number: one.get("centre") for number, one in told.items()}
     return {
         "places": {letter: _pair(z) for letter, z in places.items()},
-        "links": [
-            _body(one, centres.get(one.number)) | ({"passive": True} if one in lies.passive else {})
-            for one in (lies.frame, *lies.drawn)
-        ],
+        "links": _on_arms(
+            [
+                body | ({"passive": True} if one in lies.passive else {})
+                for one in (lies.frame, *lies.drawn)
+                for body in _bodies(one, centres.get(one.number), told)
+            ]
+        ),
         "drives": [one.link for one in lies.drives],
     }
+
+
+def _whose(link: Sketch) -> tuple[Any, Any]:
+    """Return the number of a link, and that of the link with which it is one body."""
+    return link["number"], link.get("weld", link["number"])
+
+
+def _bodies(link: Link, centre: object, told: Mapping[object, Any]) -> list[Sketch]:
+    """Return a link as a browser takes it, each of its arms by itself."""
+    first, *arms = link.arms or (None,)
+    if first is None or any(key in told.get(arm.number, {}) for arm in arms if arm for key in ARM):
+        return [_body(link, centre)]
+    own = replace(link, points={letter: link.points[letter] for letter in first.letters})
+    bodies = [_body(own, centre)]
+    for arm in arms:
+        assert arm is not None
+        bodies.append(_body(Link(arm.number, dict.fromkeys(arm.letters, 0j)), centre))
+        bodies[-1]["weld"] = link.number
+    return bodies
+
+
+def _on_arms(links: list[Sketch]) -> list[Sketch]:
+    """Return links whose slides along two letters of an arm are on this."""
+    for slide in (one for link in links for one in link["slides"]):
+        for arm in (one for one in links if one.get("weld") == slide["on"]):
+            if any(slide["along"] == a + b for a in arm["points"] for b in arm["points"] if a != b):
+                slide["on"] = arm["number"]
+    return links
 
 
 def _body(link: Link, centre: object) -> dict[str, Any]:

@@ -19,6 +19,7 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme point": said("Point of a link"),
     "scheme centre": said("Mass centre"),
     "scheme drive": said("Driving link"),
+    "scheme weld": said("Weld", context="tool"),
     "scheme passive": said("Passive link"),
     "scheme undo": said("Take back"),
     "scheme redo": said("Do again"),
@@ -43,6 +44,10 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme do drive": said(
         "Click the link that is driven, a cylinder too, or one that is driven no more."
     ),
+    "scheme do weld": said(
+        "Click the pin at which two links become one, or are parted again; or one link, then the other."
+    ),
+    "scheme weld with": said("Click the link that is welded to link {number}, or parted from it."),
     "scheme do passive": said(
         "Click the link that only repeats what others hold, or one that counts again."
     ),

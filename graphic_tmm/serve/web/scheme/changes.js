@@ -35,6 +35,7 @@ export function renumbered(sketch, from, to) {
   const other = (/** @type {number} */ one) => (one === from ? to : one === to ? from : one);
   for (const body of made.links) {
     body.number = other(body.number);
+    if (body.weld !== undefined) body.weld = other(body.weld);
     for (const slide of body.slides) slide.on = other(slide.on);
   }
   made.drives = made.drives.map(other);
@@ -197,6 +198,10 @@ function tidied(sketch) {
   const there = new Set(movingOf(sketch).flatMap((one) => one.points));
   frame.points = frame.points.filter((one) => there.has(one));
   sketch.places = Object.fromEntries(Object.entries(sketch.places).filter(([letter]) => there.has(letter)));
+  for (const body of sketch.links) {
+    const points = bodyOf(sketch, body.weld ?? -1)?.points ?? [];
+    if (!body.points.some((one) => points.includes(one))) delete body.weld;
+  }
   sketch.drives = sketch.drives.filter((one) => bodyOf(sketch, one) !== undefined);
   return sketch;
 }

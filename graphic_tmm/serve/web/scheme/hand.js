@@ -234,6 +234,7 @@ export class Hand {
   asks() {
     const { number } = this.editor.chosen;
     if (this.tool === "point" && number !== undefined) return this.editor.say("scheme point place", { number });
+    if (this.tool === "weld" && number !== undefined) return this.editor.say("scheme weld with", { number });
     return this.tool === "" ? "" : this.editor.say(this.tool === "stone" && this.pin !== "" ? "scheme stone bar" : howOf(this.tool));
   }
 }

@@ -1,5 +1,6 @@
 import { drawnElement } from "../../../page/web/dom.js";
 import { alongOf, apart, bodiesAt, bodyOf, cornersOf, cylinderOf, frameOf, lineOf, minus, movingOf, placeOf, stonesAt, unit } from "./sketch.js";
+import { weldSigns } from "./weld-signs.js";
 
 /**
  * A mechanism as it is drawn: pins, bars, plates, supports, stones and guides, in dots of the screen.
@@ -38,6 +39,7 @@ export function drawnSketch(sketch, view, chosen) {
   const made = bodies.flatMap((body) => bar(sketch, body, view, how(body)));
   made.unshift(...bodies.flatMap((body) => body.slides.flatMap((slide) => rail(sketch, body, slide, view))));
   made.push(...bodies.flatMap((body) => block(sketch, body, view, how(body))));
+  made.push(...weldSigns(sketch, view));
   for (const letter of frameOf(sketch).points) made.push(support(view.dots(placeOf(sketch, letter))));
   for (const letter of Object.keys(sketch.places)) made.push(...pin(sketch, letter, view, lit(chosen.letter === letter)));
   made.push(...sketch.drives.flatMap((one) => arrow(sketch, one, view)));

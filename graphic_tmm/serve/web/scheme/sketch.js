@@ -6,7 +6,7 @@ import { alike } from "./letters.js";
  * @typedef {[number, number]} Place metres, y upward
  * @typedef {{through: Place, angle: number}} Guide degrees
  * @typedef {{on: number, along: string, cylinder?: string}} Slide
- * @typedef {{number: number, points: string[], guides: Record<string, Guide>, slides: Slide[], centre?: string, passive?: boolean}} Body
+ * @typedef {{number: number, points: string[], guides: Record<string, Guide>, slides: Slide[], centre?: string, passive?: boolean, weld?: number}} Body weld: the link that it is an arm of
  * @typedef {{places: Record<string, Place>, links: Body[], drives: number[]}} Sketch its first link is the frame
  * @typedef {{letter: string} | {bar: Bar, place: Place} | {place: Place}} Target what is meant: a pin, a bar, a place
  * @typedef {{number: number, ends: [string, string]}} Bar two letters of a link

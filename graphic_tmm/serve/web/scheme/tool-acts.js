@@ -1,5 +1,5 @@
 import * as acts from "./acts.js";
-import { drivenBy, repeating } from "./roles.js";
+import { drivenBy, meeting, repeating, welded } from "./roles.js";
 import { bodiesAt, frameOf } from "./sketch.js";
 import { guideBar } from "./snap.js";
 
@@ -11,7 +11,7 @@ import { guideBar } from "./snap.js";
  * @typedef {import("./sketch.js").Sketch} Sketch
  * @typedef {import("./sketch.js").Target} Target
  * @typedef {import("./snap.js").Meant} Meant
- * @typedef {"support" | "slider" | "stone" | "cylinder" | "point" | "centre" | "drive" | "passive"} ToolName
+ * @typedef {"support" | "slider" | "stone" | "cylinder" | "point" | "centre" | "drive" | "passive" | "weld"} ToolName
  * @typedef {{begun: Meant, meant: Meant, drawn: boolean, angle: number, pin: string}} Use where it was pressed and released;
  *   angle: of the way between them, degrees; pin: that it is for, "" for none
  * @typedef {{sketch: Sketch | null, letter?: string, numbers?: Record<string, number>} | {wait?: string, link?: number} | null} Done
@@ -38,6 +38,13 @@ export const TOOL_ACTS = {
   drive: ({ sketch }, { meant }) => {
     const number = linkAt(sketch, meant);
     return number === undefined ? null : drivenBy(sketch, number);
+  },
+  weld: ({ sketch, chosen }, { meant }) => {
+    const both = meant.letter === undefined ? null : meeting(sketch, meant.letter);
+    if (both !== null) return { sketch: welded(sketch, ...both) };
+    const link = meant.bar?.number;
+    if (link === undefined) return null;
+    return chosen.number === undefined ? { link } : { sketch: welded(sketch, chosen.number, link) };
   },
   passive: ({ sketch }, { meant }) => {
     const number = sliderAt(sketch, meant) ?? linkAt(sketch, meant);

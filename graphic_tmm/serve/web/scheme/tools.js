@@ -17,6 +17,7 @@ const TOOLS = [
   ["point", "M3 19L21 19L12 5ZM12 5m-2 0a2 2 0 1 0 4 0a2 2 0 1 0 -4 0", "scheme point", "scheme do point"],
   ["centre", "M12 3a9 9 0 1 0 .01 0M12 3V21M3 12H21", "scheme centre", "scheme do centre"],
   ["drive", "M19 12A7 7 0 1 1 12 5M9 2L13 5L9 8", "scheme drive", "scheme do drive"],
+  ["weld", "M4 20L12 6L20 20M9 11.5L12 6L15 11.5Z", "scheme weld", "scheme do weld"],
   ["passive", "M4 20L9 5M20 20L15 5M9 5H15M12 8V11M12 14V17M12 20V21", "scheme passive", "scheme do passive"],
 ];
 
