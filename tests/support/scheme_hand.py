@@ -190,3 +190,24 @@ def parallel_cranks(hand: SchemeHand) -> None:
     hand.take("passive")
     hand.click((432, 341))
     hand.whole("I(1) → II(2-3)")
+
+
+def bell_crank(hand: SchemeHand) -> None:
+    """A crank, a rod, and a lever of two arms that are welded at their pivot; the second moves a slider."""
+    hand.drag((250, 250), (300, 320))
+    hand.take("support")
+    hand.click((300, 320))
+    hand.drag((250, 250), (520, 200))
+    hand.drag((520, 200), (600, 330))
+    hand.take("support")
+    hand.click((600, 330))
+    hand.drag((600, 330), (700, 260))
+    hand.drag((700, 260), (820, 400))
+    hand.take("slider")
+    hand.drag((820, 400), (820, 460))
+    hand.take("drive")
+    hand.click((275, 285))
+    hand.says("or another link is driven, too")
+    hand.take("weld")
+    hand.click((600, 330))
+    hand.whole("I(1) → II(2-3) → II(5-6)")
