@@ -41,9 +41,9 @@ def expect(it: Any) -> Any:
 
 
 @contextmanager
-def serving(folder: Path, port: int = 0) -> Iterator[str]:
+def serving(folder: Path, port: int = 0, language: str = "") -> Iterator[str]:
     """Serve a folder, or a scene, in a thread; yield the address of its gallery."""
-    app = application(Desk(folder_of(str(folder))), TOKEN)
+    app = application(Desk(folder_of(str(folder)), language), TOKEN)
     config = uvicorn.Config(
         app,
         host="127.0.0.1",

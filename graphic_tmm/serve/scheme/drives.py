@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 from graphic_tmm.mechanism.records import Drive, Mechanism
+from graphic_tmm.scene.coordinates import OTHER_EXTREME
 from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.quantities import in_si
 from graphic_tmm.scene.records import Scene
@@ -41,7 +42,20 @@ def drive_tables(
         plain = {key: one for key, one in kept.items() if not isinstance(one, list)}
         start = {"at": (starts or {})[link]} if link in (starts or {}) else {}
         made.append({"link": link, "speed": 0, **plain, **start})
+    if further:
+        made[0] = _without_extremes(made[0])
     return made if len(made) > 1 or isinstance(doc.get("drive"), list) else made[0]
+
+
+def _without_extremes(first: Document) -> Document:
+    """Return the first of several drives without extremes of a point: these hang on all drives."""
+    extra = [one for one in first.get("extra", []) if not _is_extreme(one)]
+    rest = {key: one for key, one in first.items() if key != "extra" and not _is_extreme(one)}
+    return {**rest, "extra": extra} if extra else rest
+
+
+def _is_extreme(told: object) -> bool:
+    return isinstance(told, dict) or told == OTHER_EXTREME
 
 
 def first_table(doc: Document, link: int) -> Document:
