@@ -56,19 +56,36 @@ class Posed(NamedTuple):
 
     ``spot``: a letter and the number of its link -> where it stands (complex, mm) and which way it goes (of
     length 1, 0 where it stands still); KeyError if there is no such point. ``size``: of letters, mm. ``turn``:
-    the number of a link -> which way its own x axis points (of length 1).
+    the number of a link -> which way its own x axis points (of length 1). ``weights``: those are shown, too.
     """
 
     spot: Callable[[str, int], tuple[complex, complex]]
     size: float
     turn: Callable[[int], complex]
+    weights: bool = False
+
+
+class LoadSign(NamedTuple):
+    """What acts, for who draws it in sizes of his own: its letter as marks bear it, where its sign begins.
+
+    ``way``: of a force, of length 1 (0: nobody knows); it ``pushes`` where its arrow ends there. ``turns``: of
+    a moment, 1 counter-clockwise, -1 clockwise. ``end``: of a spring, where it ends.
+    """
+
+    letter: str
+    at: complex
+    way: complex = 0j
+    turns: int = 0
+    end: complex | None = None
+    pushes: bool = False
 
 
 class Acting(NamedTuple):
-    """What is shown to act on a mechanism: ink, and its letters, which want a place."""
+    """What is shown to act on a mechanism: ink, its letters, which want a place, and what they are of."""
 
     strokes: tuple[Stroke, ...]
     wanted: tuple[Wanted, ...]
+    sign: LoadSign
 
 
 class Scheme(NamedTuple):

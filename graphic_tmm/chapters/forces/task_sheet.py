@@ -27,7 +27,14 @@ from graphic_tmm.paper.drawing import Wanted
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.symbols.dimensions import arrow
 from graphic_tmm.paper.symbols.kinematic import round_arrow
-from graphic_tmm.readers.task_sheet import Acting, Listed, Posed, TaskSheet, given_figure
+from graphic_tmm.readers.task_sheet import (
+    Acting,
+    Listed,
+    LoadSign,
+    Posed,
+    TaskSheet,
+    given_figure,
+)
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.values import CLOCKWISE, COUNTERCLOCKWISE
@@ -179,12 +186,14 @@ def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
                 on = (load.link, load.point) if at is None else (number, at)
                 yield _force(posed, other, *on, -way)
         else:
-            yield _moment(posed, letter, load, mechanism.by_number[load.link])
+            yield from _moment(posed, letter, load, mechanism.by_number[load.link])
             if number is not None:
                 back = replace(load, link=number, size=-max(_sizes(load), key=abs))
-                yield _moment(posed, other, back, mechanism.by_number[number])
+                yield from _moment(posed, other, back, mechanism.by_number[number])
     for index, spring in zip(numbers(order.springs), order.springs, strict=True):
         yield _spring(posed, spring, mechanism, index)
+    if posed.weights and order.gravity:
+        yield from _weights(posed, mechanism)
     if (sought := order.unknown) is not None:
         way = _way(posed, sought, sought.point, mechanism)
         yield _force(posed, sought_letter(sought), sought.link, sought.point, way)
@@ -197,8 +206,16 @@ def _spring(posed: Posed, spring: Spring, mechanism: Mechanism, index: str) -> A
     start, end = (posed.spot(*one)[0] for one in zip(ends.letters, ends.links, strict=True))
     strokes = draw_ink(spring, mechanism, start, end)
     at = middle(spring, mechanism, start, end)
-    told = Wanted(letter_of(spring, index), at, posed.size, BESIDE, 1j * (end - start))
-    return Acting(tuple(one._replace(part="load") for one in strokes), (told,))
+    letter = letter_of(spring, index)
+    told = Wanted(letter, at, posed.size, BESIDE, 1j * (end - start))
+    inked = tuple(one._replace(part="load") for one in strokes)
+    return Acting(inked, (told,), LoadSign(letter, start, end=end))
+
+
+def _weights(posed: Posed, mechanism: Mechanism) -> Iterator[Acting]:
+    for link in mechanism.links:
+        if link.mass and link.centre is not None:
+            yield _force(posed, f"G_{link.number}", link.number, link.centre, -1j)
 
 
 def _way(posed: Posed, load: Load | Unknown, point: str, mechanism: Mechanism) -> complex:
@@ -214,10 +231,11 @@ def _way(posed: Posed, load: Load | Unknown, point: str, mechanism: Mechanism) -
 
 def _force(posed: Posed, letter: str, link: int, point: str, way: complex) -> Acting:
     at, _ = posed.spot(point, link)
+    sign = LoadSign(letter, at, way)
     if not way:
-        return Acting((), ())
+        return Acting((), (), sign)
     strokes = tuple(one._replace(part="load") for one in arrow(at, at + LONG * way, "main"))
-    return Acting(strokes, (Wanted(markup(letter), at + LONG * way, posed.size, 1.5, way),))
+    return Acting(strokes, (Wanted(markup(letter), at + LONG * way, posed.size, 1.5, way),), sign)
 
 
 def _along(posed: Posed, along: Along, mechanism: Mechanism) -> complex:
@@ -234,17 +252,18 @@ def _along(posed: Posed, along: Along, mechanism: Mechanism) -> complex:
     return way * turn(along.by)
 
 
-def _moment(posed: Posed, letter: str, load: Load, link: Link) -> Acting:
+def _moment(posed: Posed, letter: str, load: Load, link: Link) -> Iterator[Acting]:
     spots = [posed.spot(point, load.link) for point in link.points]
     if not spots:
-        return Acting((), ())
+        return
     (first, gone), *others = spots
     turning = sum(((at - first).conjugate() * (going - gone)).imag for at, going in others)
     sense = -math.copysign(1.0, turning) if load.direction == AGAINST else _sense(_sizes(load))
     middle = (first + others[0][0]) / 2 if others else first
     strokes = round_arrow(middle, ROUND, -SWEEP / 2 if sense > 0 else SWEEP / 2, sense * SWEEP)
     inked = tuple(one._replace(part="load") for one in strokes)
-    return Acting(inked, (Wanted(markup(letter), middle + ROUND, posed.size, 1.5, 1 + 0j),))
+    wanted = Wanted(markup(letter), middle + ROUND, posed.size, 1.5, 1 + 0j)
+    yield Acting(inked, (wanted,), LoadSign(letter, middle, turns=int(sense)))
 
 
 def _sizes(load: Load) -> Sequence[float]:

@@ -13,7 +13,15 @@ from graphic_tmm.language.units import unit
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.drawing import Wanted
 from graphic_tmm.paper.symbols.dimensions import arrow
-from graphic_tmm.readers.task_sheet import SIZE, Acting, Given, Listed, Posed, given_figure
+from graphic_tmm.readers.task_sheet import (
+    SIZE,
+    Acting,
+    Given,
+    Listed,
+    LoadSign,
+    Posed,
+    given_figure,
+)
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 
@@ -142,4 +150,5 @@ def _pushing(order: IndicatorTask, letter: str, scene: Scene, posed: Posed) -> I
         inward = from_pin / abs(from_pin)
     tail = at - (LONG + OFF) * inward
     strokes = tuple(one._replace(part="load") for one in arrow(tail, at - OFF * inward, "main"))
-    yield Acting(strokes, (Wanted(letter, tail, posed.size, 1.5, -inward),))
+    wanted = Wanted(letter, tail, posed.size, 1.5, -inward)
+    yield Acting(strokes, (wanted,), LoadSign(letter, at, inward, pushes=True))

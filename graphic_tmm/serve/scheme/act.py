@@ -30,6 +30,7 @@ from graphic_tmm.scene.renamed import exchanged
 from graphic_tmm.serve.edit import Missing, edited, new_faults
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.scheme.fields import scheme_fields
+from graphic_tmm.serve.scheme.loads import load_signs
 from graphic_tmm.serve.scheme.sections import offered, with_section
 from graphic_tmm.serve.scheme.sketches import (
     BLANK,
@@ -210,11 +211,13 @@ def _drawn(text: str, asked: SchemeAct, file: File, speech: Speech) -> dict[str,
         "text": text,
         "at": at,
         "sweep": _sweep(of, scene),
+        "loads": load_signs(doc, scene, of.sweep, [at])[0],
         "fields": scheme_fields(data, doc, file, speech),
         "sections": offered(doc, speech),
     }
     if asked.turn:
-        found["turn"] = _turn(scene, of, asked.turn)
+        turn = _turn(scene, of, asked.turn)
+        found["turn"] = turn | {"loads": load_signs(doc, scene, of.sweep, turn["at"])}
     return found
 
 
@@ -295,6 +298,7 @@ def _answer(sketch: Sketch, stands: Standing, speech: Speech) -> dict[str, Any]:
         "text": None,
         "at": None,
         "sweep": None,
+        "loads": [],
         "fields": [],
         "sections": [],
         "errors": [],

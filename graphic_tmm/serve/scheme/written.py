@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from pathlib import Path as File
 
@@ -111,7 +111,10 @@ def _way(first: Document, at: float, size: float) -> Mapping[str, str]:
 
 def positions_scene(doc: Document) -> Scene:
     """Return a scene with nothing in it but what says where everything lies."""
-    kept = {
-        key: one for key, one in doc.items() if key in BARE or not isinstance(one, (dict, list))
-    }
-    return understood(kept, "scheme")
+    return understood(placing_part(doc), "scheme")
+
+
+def placing_part(doc: Document, others: Collection[str] = ()) -> Document:
+    """Return what a scene says of where everything lies, and its sections of some names."""
+    known = (*BARE, *others)
+    return {k: one for k, one in doc.items() if k in known or not isinstance(one, (dict, list))}

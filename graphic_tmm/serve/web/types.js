@@ -31,9 +31,11 @@
  * @typedef {{name: string, says: string, choices: string[], example: string, wanted: boolean}} SectionKey
  * @typedef {{name: string, says: string, keys: SectionKey[], there: string[]}} OfferedSection there: those of it that the scene has
  * @typedef {{letter: string, unit: string, low: number, high: number, closed: boolean}} Sweep what a drive goes through
- * @typedef {{at: number[], places: Record<string, ([number, number] | null)[]>}} Turn
+ * @typedef {{letter: string, at: [number, number], way: [number, number], turns: number, end: [number, number] | null, pushes: boolean}} LoadSign
+ *   what acts; way: of a force, of length 1, which pushes if it ends there; turns: of a moment; end: of a spring
+ * @typedef {{at: number[], places: Record<string, ([number, number] | null)[]>, loads: LoadSign[][]}} Turn
  * @typedef {{version: string, sketch: Sketch, mobility: number | null, formula: string, says: string, text: string | null,
- *   at: number | null, sweep: Sweep | null, fields: SchemeField[], sections: OfferedSection[], errors: string[], turn: Turn | null, shift: [number, number]}} SchemeAnswer
+ *   at: number | null, sweep: Sweep | null, loads: LoadSign[], fields: SchemeField[], sections: OfferedSection[], errors: string[], turn: Turn | null, shift: [number, number]}} SchemeAnswer
  *   text: the scene, null while something is missing; says: what; shift: of the origin, m
  * @typedef {{text: string, sketch?: Sketch | null, letters?: Record<string, string>, numbers?: Record<string, number>,
  *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number, section?: string,

@@ -194,7 +194,7 @@ def test_a_task_sheet_shows_the_push_away_from_the_pin(tmp_path: Path) -> None:
     scene = read(written(tmp_path, text(30.0, "-")))
     spots = {"A": 100 + 50j, "C": 300 + 20j, "O": 0j}
     posed = Posed(lambda letter, link: (spots[letter], 1j), 5.0, lambda link: 1 + 0j)
-    ((strokes, (wanted,)),) = acting(ASKED.of(scene).gas, scene, posed)
+    ((strokes, (wanted,), _),) = acting(ASKED.of(scene).gas, scene, posed)
     assert strokes
     away = (spots["A"] - spots["C"]) / abs(spots["A"] - spots["C"])
     assert (spots["A"] - wanted.at) / away == pytest.approx(LONG + OFF)

@@ -88,7 +88,7 @@ export class Editor {
   /** Show what is so now. */
   changed() {
     this.bar.show();
-    this.paper.show(this.sketch, this.chosen);
+    this.paper.show(this.sketch, this.chosen, this.answer?.loads ?? []);
     this.side.show();
   }
 

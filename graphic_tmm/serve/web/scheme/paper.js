@@ -1,6 +1,7 @@
 import { drawnElement, element } from "../../../page/web/dom.js";
 import { listenToKeys } from "./paper-keys.js";
 import { listenToPointers } from "./pointers.js";
+import { drawnLoads } from "./load-signs.js";
 import { boundsOf, placeOf } from "./sketch.js";
 import { drawnSketch } from "./signs.js";
 import { meant } from "./snap.js";
@@ -30,13 +31,15 @@ export class Paper {
     this.hand = hand;
     this.view = new View();
     this.svg = drawnElement("svg", { class: "scheme-paper", tabindex: 0, role: "application", "aria-label": label });
-    this.layers = ["squares", "under", "mechanism", "over"].map((name) => drawnElement("g", { class: name }));
+    this.layers = ["squares", "mechanism", "loads", "over"].map((name) => drawnElement("g", { class: name }));
     this.svg.append(...this.layers);
     this.element = element("div", { class: "scheme-window" }, this.svg);
     /** @type {Sketch | null} */
     this.sketch = null;
     /** @type {Chosen} */
     this.chosen = {};
+    /** @type {import("../types.js").LoadSign[]} */
+    this.loads = [];
     /** @type {Rubber} */
     this.rubber = { from: null, to: null, says: "" };
     /** Where the keys are, m; null while a pointer is at work. @type {Place | null} */
@@ -59,10 +62,12 @@ export class Paper {
   /**
    * @param {Sketch} sketch
    * @param {Chosen} chosen
+   * @param {import("../types.js").LoadSign[]} loads what acts on it; of before if nothing is told
    */
-  show(sketch, chosen) {
+  show(sketch, chosen, loads = this.loads) {
     this.sketch = sketch;
     this.chosen = chosen;
+    this.loads = loads;
     this.draw();
   }
 
@@ -94,8 +99,9 @@ export class Paper {
 
   draw() {
     if (this.sketch === null) return;
-    const [squares, , mechanism] = this.layers;
+    const [squares, mechanism, loads] = this.layers;
     squares?.replaceChildren(...this.squares());
+    loads?.replaceChildren(...drawnLoads(this.loads, this.view));
     mechanism?.replaceChildren(...drawnSketch(this.sketch, this.view, this.chosen));
     this.under();
     this.drawOver();

@@ -80,7 +80,7 @@ export class Turning {
     this.output.textContent = this.placeText(turn.at[k] ?? 0);
     const { sketch, paper, chosen } = this.editor;
     const moved = movedTo(sketch, turn, k);
-    if (moved !== null) paper.show(moved, chosen);
+    if (moved !== null) paper.show(moved, chosen, turn.loads[k]);
   }
 
   /** Stand where it was turned to. */
