@@ -178,6 +178,16 @@ UNITS: Mapping[str, Unit] = _units()
 """Every spelling of a unit in its plain form (see ``plain_unit``) -> what it means."""
 
 
+def si_unit(dimension: str) -> str:
+    """Return what a number of a dimension is in without a unit, in signs of any keyboard; "" if in none.
+
+    >>> si_unit("moment of inertia"), si_unit("angle"), si_unit("ratio")
+    ('kg*m^2', 'deg', '')
+    """
+    known = (one for one, unit in UNITS.items() if (unit.dimension, unit.factor) == (dimension, 1))
+    return next(known, "").replace("·", "*").replace("²", "^2").replace("³", "^3")
+
+
 def plain_unit(unit: str) -> str:
     """One form for the ways a unit may be typed: ``kg * m^2``, ``kg m2`` -> ``kg·m²``.
 

@@ -9,15 +9,13 @@ from typing import Any
 
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
-from graphic_tmm.language.units import unit
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.moved import uses
 from graphic_tmm.scene.sections import LENGTHS
-from graphic_tmm.scene.units import plain_unit
 from graphic_tmm.serve.form import Field, choices_in, form
 from graphic_tmm.serve.scheme.drives import tables_of_drives
-from graphic_tmm.serve.scheme.units import own_unit, unit_of_field
+from graphic_tmm.serve.scheme.units import unit_shown
 
 OF_LINKS = ("name", "mass", "J")
 OF_DRIVE = ("speed", "turns", "from", "to", "at", "positions", "accelerations")
@@ -57,9 +55,7 @@ def _json(
         "name": f"{LENGTHS}.{field.text}" if named else "",
         "choices": choices_in(field, speech.language),
         "placeholder": field.default,
-        "unit": ""
-        if own_unit(field.text)
-        else unit(plain_unit(unit_of_field(field, doc)), speech.language),
+        "unit": unit_shown(field, doc, speech.language),
         "says": speech(field.says),
     }
 
@@ -109,7 +105,7 @@ def _given(fields: list[Field], doc: Document, speech: Speech) -> Iterator[tuple
             several = len(drives) > 1
             yield (
                 field,
-                _of_link(field, drives, "link", speech) if several else _clause(field, speech),
+                _of_link(field, drives, "link", speech) if several else clause(speech(field.says)),
             )
     for field in fields:
         match field.path:
@@ -120,7 +116,7 @@ def _given(fields: list[Field], doc: Document, speech: Speech) -> Iterator[tuple
 def _of_link(field: Field, tables: list[Document], key: str, speech: Speech) -> str:
     """Return what a field is, with the link whose it is: that of its table, at a key."""
     number = tables[int(field.path[1])].get(key)
-    return speech(said("link {number}: {what}", number=number, what=_clause(field, speech)))
+    return speech(said("link {number}: {what}", number=number, what=clause(speech(field.says))))
 
 
 def _is_of_drive(path: Path, first: Document) -> bool:
@@ -131,6 +127,6 @@ def _is_of_drive(path: Path, first: Document) -> bool:
     return False
 
 
-def _clause(field: Field, speech: Speech) -> str:
+def clause(says: str) -> str:
     """Return the first clause of what a field is."""
-    return CLAUSE.split(speech(field.says))[0].strip()
+    return CLAUSE.split(says)[0].strip()

@@ -10,14 +10,19 @@ from typing import Any
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
+from graphic_tmm.scene.captions import captions
+from graphic_tmm.scene.chapter import places
 from graphic_tmm.scene.declare import Kind, Section, keys_of
-from graphic_tmm.scene.document import Document, as_table, toml
+from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.new import about, example_of
+from graphic_tmm.scene.registry import called
 from graphic_tmm.scene.sections import declared
 from graphic_tmm.scene.splice import Unplaced, with_table
 from graphic_tmm.scene.tables import ByShape
-from graphic_tmm.serve.edit import source_of
-from graphic_tmm.serve.form import Field, blank, choices_in
+from graphic_tmm.serve.form import blank, choices_in
+from graphic_tmm.serve.scheme.entries import ROW, TICKED, Asked, asked_for, entered, entry_text
+from graphic_tmm.serve.scheme.fields import clause
+from graphic_tmm.serve.scheme.units import unit_shown
 
 GEOMETRY = ("task", "frame", "joints", "link", "drive")
 """What the scheme itself gives."""
@@ -29,22 +34,22 @@ def offered(doc: Document, speech: Speech) -> list[dict[str, Any]]:
         {
             "name": section.name,
             "says": speech(section.says or about(section.record)),
-            "keys": [
-                _key(name, field, example, speech)
-                for name, field, example in _fields(section, speech)
-            ],
-            "there": _there(section.name, doc),
+            "keys": [_key(asked, doc, speech) for asked in _fields(section, speech)],
+            "there": _there(section, doc, speech),
         }
         for section in declared().values()
         if _may_be_added(section, doc)
     ]
 
 
-def _there(name: str, doc: Document) -> list[str]:
+def _there(section: Section, doc: Document, speech: Speech) -> list[str]:
     """Return what a scene has of a section that may stand several times, a line each."""
-    tables = doc.get(name)
+    tables, keys = doc.get(section.name), keys_of(section.record)
     return [
-        ", ".join(f"{k} = {v if isinstance(v, str) else toml(v)}" for k, v in as_table(one).items())
+        "; ".join(
+            f"{clause(speech(keys[k].says)) if k in keys else k}: {entry_text(v)}"
+            for k, v in as_table(one).items()
+        )
         for one in (tables if isinstance(tables, list) else ())
     ]
 
@@ -55,23 +60,42 @@ def _may_be_added(section: Section, doc: Document) -> bool:
     return section.several or section.name not in doc
 
 
-def _fields(section: Section, speech: Speech) -> Iterator[tuple[str, Field, str]]:
-    """Yield the keys of a section that take one value, what has to be written first."""
+def _fields(section: Section, speech: Speech) -> Iterator[Asked]:
+    """Yield the keys of a section that take one value or a list, what has to be written first."""
     found = []
     for name, key in keys_of(section.record).items():
         sort = key.kind.other if isinstance(key.kind, ByShape) else key.kind
         if isinstance(sort, Kind):
-            found.append((name, blank(sort, key), example_of(key, speech) or ""))
-    yield from sorted(found, key=lambda one: not one[1].wanted)
+            found.append(asked_for(name, blank(sort, key), sort, example_of(key, speech) or ""))
+    yield from sorted(found, key=lambda one: not one.field.wanted)
 
 
-def _key(name: str, field: Field, example: str, speech: Speech) -> dict[str, Any]:
+def _key(asked: Asked, doc: Document, speech: Speech) -> dict[str, Any]:
+    field = asked.field
+    choices = {one: one for one in choices_in(field, speech.language)}
+    if field.kind == "switch":
+        choices = dict(zip(choices, (speech(said("yes")), speech(said("no"))), strict=True))
+    elif asked.form == TICKED:
+        choices = _shown_on_sheets(doc, speech.language)
+    measured = field.kind == "quantity" or asked.form == ROW
     return {
-        "name": name,
+        "name": asked.name,
         "says": speech(field.says),
-        "choices": choices_in(field, speech.language),
-        "example": example.strip('"'),
+        "form": asked.form,
+        "choices": list(map(list, choices.items())),
+        "example": asked.example,
+        "unit": unit_shown(field, doc, speech.language) if measured else "",
         "wanted": field.wanted,
+    }
+
+
+def _shown_on_sheets(doc: Document, language: str) -> dict[str, str]:
+    """Return what sheets can show of a scene, by name, as people call it, if they have a word for it."""
+    words = captions(language)
+    return {
+        name: words[name]
+        for name, (chapter, _) in places().items()
+        if name in words and called(chapter, doc.keys(), mechanism=True)
     }
 
 
@@ -83,12 +107,12 @@ def with_section(text: str, name: str, typed: Mapping[str, str], file: File, spe
     SceneError
         If there is no such section, or the text cannot take it.
     """
-    section = declared().get(name)
-    if section is None or not _may_be_added(section, tomllib.loads(text)):
+    section, doc = declared().get(name), tomllib.loads(text)
+    if section is None or not _may_be_added(section, doc):
         raise SceneError(str(file), (Fault(name[:40], 0, said("there is no such section to add")),))
-    fields = {key: field for key, field, _ in _fields(section, speech)}
+    fields = {one.name: one for one in _fields(section, speech)}
     table = {
-        key: tomllib.loads(f"x = {source_of(value, fields[key], text)}")["x"]
+        key: entered(value, fields[key], doc, text)
         for key, value in typed.items()
         if key in fields and value.strip()
     }

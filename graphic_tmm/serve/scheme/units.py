@@ -4,26 +4,18 @@ from __future__ import annotations
 
 import re
 
+from graphic_tmm.language.units import unit
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, as_table
-from graphic_tmm.scene.quantities import NUMBER, spoken
+from graphic_tmm.scene.quantities import NUMBER, PAPER, spoken
 from graphic_tmm.scene.sections import LENGTHS
-from graphic_tmm.scene.units import UNITS, plain_unit
+from graphic_tmm.scene.units import UNITS, plain_unit, si_unit
 from graphic_tmm.serve.form import Field
 
 _BARE = re.compile(rf"[+-]?{NUMBER}")
 _WITH_UNIT = re.compile(rf"[+-]?{NUMBER}(.*)", re.DOTALL)
-_SI = {
-    "length": "m",
-    "angle": "deg",
-    "angular speed": "rad/s",
-    "speed": "m/s",
-    "mass": "kg",
-    "moment of inertia": "kg*m^2",
-}
-"""What a number of a scene is in that has no unit there."""
-_USUAL = _SI | {"length": "mm"}
-"""What is meant where nothing but a 0 or a name is written."""
+_USUAL = {"length": "mm", PAPER: "mm"}
+"""What is meant where nothing but a 0 or a name is written, if not SI."""
 _SLID = {"angular speed": "speed", "angle": "length"}
 """What a quantity of a drive is where its link slides."""
 
@@ -46,12 +38,25 @@ def unit_of_field(field: Field, doc: Document) -> str:
     if _is_of_slider(field.path, doc):
         dimension = _SLID.get(dimension, dimension)
     si = not field.in_quotes and _BARE.fullmatch(field.text) and float(field.text) != 0
-    return (_SI if si else _USUAL).get(dimension, "")
+    return ("" if si else _USUAL.get(dimension, "")) or si_unit(dimension)
+
+
+def unit_shown(field: Field, doc: Document, language: str) -> str:
+    """Return the unit that stands beside a field: that of a bare number, where its text has none."""
+    if own_unit(field.text):
+        return ""
+    meant = unit_of_field(field, doc)
+    return "°" if meant == "deg" else unit(plain_unit(meant), language)
+
+
+def is_bare(typed: str) -> bool:
+    """Whether a text is a number without a unit."""
+    return bool(_BARE.fullmatch(spoken(typed)))
 
 
 def with_unit(typed: str, field: Field, doc: Document) -> str:
     """Return what was typed, a bare number with the unit that it has in this field."""
-    if field.kind != "quantity" or not _BARE.fullmatch(spoken(typed)):
+    if field.kind != "quantity" or not is_bare(typed):
         return typed
     return f"{spoken(typed)} {unit_of_field(field, doc)}".strip()
 

@@ -80,6 +80,8 @@ SCHEME_WORDS: dict[str, str] = {
     "scheme add": said("Add what the task gives besides …"),
     "scheme add it": said("Add it"),
     "scheme added": said("Added: {what}"),
+    "scheme where": said("where", context="of a table"),
+    "scheme how much": said("how much", context="of a table"),
     "scheme everywhere": said("everywhere"),
     "scheme here": said("here alone"),
     "scheme turn": said("The drive through its turn"),

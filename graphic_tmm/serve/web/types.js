@@ -28,7 +28,8 @@
  * @typedef {{key: string, kind: string, label: string, text: string, link: number | null, name: string,
  *   choices: string[], placeholder: string, unit: string, says: string}} SchemeField link: whose it is; name: of a length used elsewhere, too;
  *   unit: that a bare number has where the text has none
- * @typedef {{name: string, says: string, choices: string[], example: string, wanted: boolean}} SectionKey
+ * @typedef {{name: string, says: string, form: "" | "row" | "table" | "ticked", choices: [string, string][], example: string, unit: string,
+ *   wanted: boolean}} SectionKey choices: with what they are called
  * @typedef {{name: string, says: string, keys: SectionKey[], there: string[]}} OfferedSection there: those of it that the scene has
  * @typedef {{letter: string, unit: string, low: number, high: number, closed: boolean}} Sweep what a drive goes through
  * @typedef {{letter: string, at: [number, number], way: [number, number], turns: number, end: [number, number] | null, pushes: boolean}} LoadSign

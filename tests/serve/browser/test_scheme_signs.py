@@ -7,7 +7,7 @@ from pathlib import Path
 
 from support.scheme_hand import begun
 from support.served import SMALL
-from support.studios import Tab, expect
+from support.studios import Tab, expect, serious
 
 FORCE = '[[load]]\nlink = 3\npoint = "B"\nforce = "190 N"\ndirection = "against velocity"\n'
 TIP = """() => {
@@ -54,3 +54,23 @@ def test_a_load_goes_with_the_drive_and_keeps_its_size(
     assert before is not None
     assert after is not None
     assert abs(after["width"] - before["width"]) < 0.5
+
+
+def test_a_load_by_travel_is_entered_row_by_row(scene: Path, tab_of: Callable[..., Tab]) -> None:
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    begun(tab)
+    more = tab.page.locator(".more")
+    more.locator("select").first.select_option("load")
+    more.get_by_text("What else may be written").click()
+    for label, value in (("number of the link *", "3"), ("where a force acts", "B")):
+        more.locator("label", has_text=label).first.locator("input").fill(value)
+    more.locator("label", has_text="by whose travel").locator("input").fill("B")
+    table = more.locator("fieldset", has_text="on the stroke from the zero position")
+    expect(table.locator("input")).to_have_count(2)
+    for at, value in enumerate(("0", "0 N", "0.5", "190 N", "1", "190 N")):
+        table.locator("input").nth(at).fill(value)
+    expect(table.locator("input")).to_have_count(8)
+    assert serious(tab.page) == []
+    more.get_by_role("button", name="Add it").click()
+    expect(tab.page.locator(".load text")).to_have_text("F3")
+    assert 'out = [[0, "0 N"], [0.5, "190 N"], [1, "190 N"]]' in scene.read_text("utf-8")

@@ -1,5 +1,6 @@
 import { element } from "../../../page/web/dom.js";
 import { addSection } from "./editor-acts.js";
+import { entryOf } from "./entries.js";
 
 /**
  * A section that the task gives besides: chosen by what it is, its values typed, then added to the scene.
@@ -39,7 +40,7 @@ export class SectionForm {
     this.sections = sections;
     const { value } = this.choice;
     const first = element("option", { value: "" }, editor.say("scheme add"));
-    this.choice.replaceChildren(first, ...sections.map((one) => element("option", { value: one.name }, `${one.says} [${one.name}]`)));
+    this.choice.replaceChildren(first, ...sections.map((one) => element("option", { value: one.name }, one.says)));
     this.choice.value = sections.some((one) => one.name === value) ? value : "";
     if (this.choice.value === "") this.keys.replaceChildren();
     this.list();
@@ -66,22 +67,15 @@ export class SectionForm {
   /** @param {OfferedSection} section */
   form(section) {
     const { editor } = this;
-    /** @type {Map<string, HTMLInputElement>} */
-    const inputs = new Map();
-    const rows = section.keys.map((key) => {
-      const choices = key.choices.map((one) => element("option", { value: one }, one));
-      const text = { placeholder: key.example, autocomplete: "off", spellcheck: "false" };
-      const made = choices.length > 0 ? element("select", {}, element("option", { value: "" }), ...choices) : element("input", text);
-      inputs.set(key.name, /** @type {HTMLInputElement} */ (made));
-      return element("label", { class: "scheme-field" }, element("span", {}, `${key.says}${key.wanted ? " *" : ""}`), made);
-    });
+    const entries = section.keys.map((key) => ({ name: key.name, ...entryOf(key, (word) => editor.say(word)) }));
+    const rows = entries.map((one) => one.element);
     const others = rows.slice(SEEN);
     const more = element("details", {}, element("summary", {}, editor.say("more")), ...others);
     const button = element("button", { type: "submit" }, editor.say("scheme add it"));
     const form = element("form", {}, ...rows.slice(0, SEEN), ...(others.length > 0 ? [more] : []), button);
     form.addEventListener("submit", (event) => {
       event.preventDefault();
-      const typed = [...inputs].flatMap(([name, { value }]) => (value.trim() === "" ? [] : [[name, value]]));
+      const typed = entries.map(({ name, value }) => [name, value()]).filter(([, value]) => value?.trim() !== "");
       void this.add(section, Object.fromEntries(typed), /** @type {HTMLButtonElement} */ (button));
     });
     return form;
