@@ -26,6 +26,7 @@ from graphic_tmm.scene.new import about
 from graphic_tmm.scene.quantities import noun_of
 from graphic_tmm.scene.sections import LENGTHS, declared
 from graphic_tmm.scene.tables import ByShape, DeclaredTable, Named, Several
+from graphic_tmm.serve.plainly import place_words
 
 
 class Field(NamedTuple):
@@ -143,6 +144,7 @@ def _field_json(one: Field, speech: Speech) -> dict[str, Any]:
     return {
         "key": one.key,
         "label": one.label,
+        "place": place_words(one.key, speech),
         "text": one.text,
         "written": one.written,
         "kind": one.kind,

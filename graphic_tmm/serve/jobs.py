@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.errors import SceneError, TmmError, printable
+from graphic_tmm.errors import Fault, SceneError, TmmError, printable
 from graphic_tmm.fitting import compose
 from graphic_tmm.fitting.compose import Composed
 from graphic_tmm.fitting.composition import Composition, composition_file, known_composition, text
@@ -30,6 +30,7 @@ from graphic_tmm.serve.edit import edited
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.form import form_json as fields_told
 from graphic_tmm.serve.kept import SceneFault
+from graphic_tmm.serve.plainly import place_words, plainly
 from graphic_tmm.serve.scheme.act import SchemeAct, scheme
 from graphic_tmm.serve.shell import title_of
 from graphic_tmm.studio import composed_sheets, make
@@ -103,12 +104,18 @@ def _language(task: Task) -> str:
 def faults(error: TmmError, file: str, speech: Speech) -> tuple[SceneFault, ...]:
     """Return the faults of a scene; its file is known, and not told."""
     if isinstance(error, SceneError):
-        shown = [fault.for_reader(speech) for fault in error.faults]
-        return tuple(SceneFault(one.line, one.key, one.message) for one in shown)
+        return tuple(_in_words(one, speech) for one in error.faults)
     says = printable(error.in_language(speech))
     place = re.match(rf"{re.escape(printable(file))}(?::(\d+))?: ", says)
     line = int(place[1] or 0) if place else 0
-    return (SceneFault(line, "", says[place.end() :] if place else says),)
+    says = plainly(says[place.end() :] if place else says, speech)
+    return (SceneFault(line, "", says),)
+
+
+def _in_words(fault: Fault, speech: Speech) -> SceneFault:
+    shown = fault.for_reader(speech)
+    says = plainly(shown.message, speech, fault.key)
+    return SceneFault(shown.line, shown.key, says, place=place_words(fault.key, speech))
 
 
 def scene_of(task: Task) -> Scene:
@@ -140,8 +147,12 @@ def composition_of(task: Task) -> Composition | None:
 def drawn_sheets(task: Task) -> Sheets:
     """Return the sheets of a scene."""
     made, found = composed(task)
-    warnings = tuple(map(printable, all_warnings(made, made.scene.language, sheets=True)))
-    return Sheets(_svg(found), warnings, text(found.composition, found.scales).encode())
+    language = made.scene.language
+    warnings = (
+        plainly(printable(one), speaking(language))
+        for one in all_warnings(made, language, sheets=True)
+    )
+    return Sheets(_svg(found), tuple(warnings), text(found.composition, found.scales).encode())
 
 
 @refusing

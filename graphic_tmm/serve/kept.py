@@ -13,12 +13,16 @@ from graphic_tmm.serve.limits import KEPT, KEPT_BYTES, LINE
 
 
 class SceneFault(NamedTuple):
-    """A fault of a scene: its line (0: unknown), its key, what is said of it, what stands on that line."""
+    """A fault of a scene: its line (0: unknown), its key, what is said of it, what stands on that line.
+
+    ``place``: the key in words, "" where it has none.
+    """
 
     line: int
     key: str
     text: str
     source: str = ""
+    place: str = ""
 
 
 class KeptSheet(NamedTuple):

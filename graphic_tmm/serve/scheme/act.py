@@ -29,6 +29,7 @@ from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.renamed import exchanged
 from graphic_tmm.serve.edit import Missing, edited, new_faults
 from graphic_tmm.serve.form import form
+from graphic_tmm.serve.plainly import fault_text, plainly
 from graphic_tmm.serve.scheme.fields import scheme_fields
 from graphic_tmm.serve.scheme.loads import load_signs
 from graphic_tmm.serve.scheme.sections import offered, with_section
@@ -110,7 +111,7 @@ def scheme(
     errors = new_faults(data, text.encode(), file, missing) if data else ()
     if asked.section and errors:
         raise SceneError(str(file), errors)
-    told = [speech(one.message) for one in errors]
+    told = [fault_text(one, speech) for one in errors]
     return found | {"errors": told, "shift": [shift.real, shift.imag]}
 
 
@@ -294,7 +295,7 @@ def _answer(sketch: Sketch, stands: Standing, speech: Speech) -> dict[str, Any]:
         "sketch": sketch,
         "mobility": stands.mobility,
         "formula": stands.formula,
-        "says": speech(stands.says) if stands.says else "",
+        "says": plainly(speech(stands.says), speech) if stands.says else "",
         "text": None,
         "at": None,
         "sweep": None,

@@ -10,10 +10,11 @@ import tomllib
 from typing import Any, NamedTuple
 
 from graphic_tmm.scene.declare import Kind
-from graphic_tmm.scene.document import Document, toml
+from graphic_tmm.scene.document import Document
 from graphic_tmm.scene.splice import literal
 from graphic_tmm.serve.edit import source_of
 from graphic_tmm.serve.form import Field
+from graphic_tmm.serve.plainly import entry_text
 from graphic_tmm.serve.scheme.units import is_bare, with_unit
 
 ROW, TABLE, TICKED = "row", "table", "ticked"
@@ -22,7 +23,7 @@ _COMMA = re.compile(r"(?<![0-9]),|,(?![0-9])")
 _WHOLE = re.compile(r"[0-9]+(?:\s*,\s*[0-9]+)+")
 
 
-class Asked(NamedTuple):
+class FormKey(NamedTuple):
     """A key of a section that is asked for: its name, as a field, an example of it.
 
     ``form``: `ROW`, `TABLE` or `TICKED` of a list, "" of one value. ``words``: what stands for a whole list.
@@ -35,7 +36,7 @@ class Asked(NamedTuple):
     words: tuple[str, ...] = ()
 
 
-def asked_for(name: str, field: Field, kind: Kind, example: str) -> Asked:
+def form_key(name: str, field: Field, kind: Kind, example: str) -> FormKey:
     """Return how a key is asked for."""
     told = kind.schema({})
     several = [told, *told.get("anyOf", ())]
@@ -44,28 +45,15 @@ def asked_for(name: str, field: Field, kind: Kind, example: str) -> Asked:
     value = literal(example)
     shown = entry_text(value if isinstance(value, list) else example.strip('"'))
     if field.kind != "list" or not lists or len(several) - len(words) - len(lists) > 1:
-        return Asked(name, field, shown)
+        return FormKey(name, field, shown)
     items = lists[0].get("items", {})
     if "enum" in items:
-        return Asked(name, field._replace(choices=tuple(items["enum"])), "", TICKED)
+        return FormKey(name, field._replace(choices=tuple(items["enum"])), "", TICKED)
     table = isinstance(value, list) and any(isinstance(one, list) for one in value)
-    return Asked(name, field, shown, TABLE if table else ROW, words)
+    return FormKey(name, field, shown, TABLE if table else ROW, words)
 
 
-def entry_text(value: object) -> str:
-    """Return a value of a scene as people enter it.
-
-    >>> entry_text("190 N"), entry_text(["A", 2]), entry_text([[0, "0 N"], [1, "5 N"]])
-    ('190 N', 'A, 2', '0: 0 N; 1: 5 N')
-    """
-    if not isinstance(value, list):
-        return value if isinstance(value, str) else toml(value)
-    if any(isinstance(one, list) for one in value):
-        return "; ".join(": ".join(map(entry_text, one)) for one in value)
-    return ", ".join(map(entry_text, value))
-
-
-def entered(typed: str, asked: Asked, doc: Document, text: str) -> Any:
+def entered(typed: str, asked: FormKey, doc: Document, text: str) -> Any:
     """Return the value that was entered for a key; a list of TOML is one, too."""
     typed, field = typed.strip(), asked.field
     if not asked.form or typed in asked.words or isinstance(literal(typed), list):

@@ -14,6 +14,7 @@ from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.moved import uses
 from graphic_tmm.scene.sections import LENGTHS
 from graphic_tmm.serve.form import Field, choices_in, form
+from graphic_tmm.serve.plainly import clause
 from graphic_tmm.serve.scheme.drives import tables_of_drives
 from graphic_tmm.serve.scheme.units import unit_shown
 
@@ -21,7 +22,6 @@ OF_LINKS = ("name", "mass", "J")
 OF_DRIVE = ("speed", "turns", "from", "to", "at", "positions", "accelerations")
 """What a task gives besides lengths, and nothing can be drawn without, or is drawn otherwise."""
 ZERO = re.compile(r"[+-]?0(?:\.0*)?(?:\s.*)?")
-CLAUSE = re.compile(r"[;:,(]")
 
 
 def scheme_fields(data: bytes, doc: Document, file: File, speech: Speech) -> list[dict[str, Any]]:
@@ -125,8 +125,3 @@ def _is_of_drive(path: Path, first: Document) -> bool:
         case ("drive", str(key)) | ("drive", int(_), str(key)):
             return key in OF_DRIVE and (key not in ("from", "to") or slides)
     return False
-
-
-def clause(says: str) -> str:
-    """Return the first clause of what a field is."""
-    return CLAUSE.split(says)[0].strip()

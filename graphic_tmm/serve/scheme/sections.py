@@ -20,8 +20,8 @@ from graphic_tmm.scene.sections import declared
 from graphic_tmm.scene.splice import Unplaced, with_table
 from graphic_tmm.scene.tables import ByShape
 from graphic_tmm.serve.form import blank, choices_in
-from graphic_tmm.serve.scheme.entries import ROW, TICKED, Asked, asked_for, entered, entry_text
-from graphic_tmm.serve.scheme.fields import clause
+from graphic_tmm.serve.plainly import clause, entry_text
+from graphic_tmm.serve.scheme.entries import ROW, TICKED, FormKey, entered, form_key
 from graphic_tmm.serve.scheme.units import unit_shown
 
 GEOMETRY = ("task", "frame", "joints", "link", "drive")
@@ -60,17 +60,17 @@ def _may_be_added(section: Section, doc: Document) -> bool:
     return section.several or section.name not in doc
 
 
-def _fields(section: Section, speech: Speech) -> Iterator[Asked]:
+def _fields(section: Section, speech: Speech) -> Iterator[FormKey]:
     """Yield the keys of a section that take one value or a list, what has to be written first."""
     found = []
     for name, key in keys_of(section.record).items():
         sort = key.kind.other if isinstance(key.kind, ByShape) else key.kind
         if isinstance(sort, Kind):
-            found.append(asked_for(name, blank(sort, key), sort, example_of(key, speech) or ""))
+            found.append(form_key(name, blank(sort, key), sort, example_of(key, speech) or ""))
     yield from sorted(found, key=lambda one: not one.field.wanted)
 
 
-def _key(asked: Asked, doc: Document, speech: Speech) -> dict[str, Any]:
+def _key(asked: FormKey, doc: Document, speech: Speech) -> dict[str, Any]:
     field = asked.field
     choices = {one: one for one in choices_in(field, speech.language)}
     if field.kind == "switch":

@@ -43,7 +43,7 @@ export class Faults {
   fault(fault) {
     const made = element("li", { class: "fault" });
     const line = fault.line > 0 ? filled(this.words["line"] ?? "", { line: fault.line }) : "";
-    const place = [line, fault.key].filter((one) => one !== "").join(" · ");
+    const place = [line, fault.place || fault.key].filter((one) => one !== "").join(" · ");
     if (this.has(fault.key)) {
       const button = element("button", { type: "button", class: "place" }, place);
       button.addEventListener("click", () => this.go(fault.key));

@@ -193,14 +193,14 @@ export class Values {
    * @param {boolean} again
    */
   async save(view, again = false) {
-    const { key, text } = view.field;
+    const { key, text, place } = view.field;
     const typed = view.input.value;
     if (typed === text) return;
     const answer = await setValues(this.version, { [key]: typed });
     if (answer.status === DONE) {
       this.version = answer.version;
       this.views.get(key)?.accept(typed);
-      this.tell(filled(this.words["written"] ?? "", { key }));
+      this.tell(filled(this.words["written"] ?? "", { key: place || key }));
     } else if (answer.status === OUTDATED) {
       await this.overtaken(view, again);
     } else {
@@ -236,10 +236,10 @@ export class Values {
    * @param {Answer} answer
    */
   refuse(view, answer) {
-    const { key } = view.field;
-    const lines = answer.errors.map((one) => (one.key === key || one.key === "" ? one.text : `${one.key}: ${one.text}`));
+    const { key, place } = view.field;
+    const lines = answer.errors.map((one) => (one.key === key || one.key === "" ? one.text : `${one.place || one.key}: ${one.text}`));
     const refused = answer.status === REFUSED && lines.length > 0;
     view.tell(refused ? lines : [this.words["not sent"] ?? ""]);
-    this.tell(filled(this.words["refused"] ?? "", { key }));
+    this.tell(filled(this.words["refused"] ?? "", { key: place || key }));
   }
 }

@@ -2,11 +2,11 @@
  * What the server tells; the names are those of serve/kept.py, serve/form.py and serve/shell.py.
  *
  * @typedef {Record<string, string>} Words
- * @typedef {{line: number, key: string, text: string, source?: string}} Fault a fault of the file, with its line
+ * @typedef {{line: number, key: string, text: string, source?: string, place?: string}} Fault a fault of the file, with its line; place: its key in words
  * @typedef {{name: string, hash: string, width: number, height: number}} Sheet its size in mm
  * @typedef {{version: number, text_version: string, ok: boolean, busy: boolean, fresh: boolean, errors: Fault[],
  *   warnings: string[], sheets: Sheet[], page: string | null, name?: string}} State fresh: the sheets are the text's
- * @typedef {{key: string, label: string, text: string, written: boolean, kind: string, unit: string,
+ * @typedef {{key: string, label: string, place: string, text: string, written: boolean, kind: string, unit: string,
  *   choices: string[], default: string, says: string, wanted: boolean}} Field
  * @typedef {{title: string, says: string, there: boolean, fields: Field[]}} Group
  * @typedef {{version: string, groups: Group[]}} Form

@@ -153,7 +153,7 @@ export async function schemeAfter(address, act) {
   try {
     const answer = await fetch(address, { method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(act) });
     const told = await answer.json();
-    return answer.ok ? { answer: told, errors: [], status: answer.status } : { answer: null, errors: textsOf(told.errors ?? []), status: answer.status };
+    return answer.ok ? { answer: told, errors: [], status: answer.status } : { answer: null, errors: textsOf(told.errors ?? [], Object.keys(act.typed ?? {})), status: answer.status };
   } catch {
     return { answer: null, errors: [], status: 0 };
   }
@@ -175,7 +175,11 @@ export async function newScene(text, title) {
   }
 }
 
-/** @param {Fault[]} faults */
-function textsOf(faults) {
-  return faults.map((one) => one.text);
+/**
+ * Return faults in words, with their places but those that are named beside them.
+ * @param {Fault[]} faults
+ * @param {string[]} named keys
+ */
+function textsOf(faults, named = []) {
+  return faults.map(({ text, place, key }) => (place && !named.includes(key) ? `${place}: ${text}` : text));
 }
