@@ -1,6 +1,7 @@
 import { element } from "../../page/web/dom.js";
 import { themeButton } from "../../page/web/theme.js";
 import { Editor } from "./scheme/editor.js";
+import { Memory } from "./scheme/memory.js";
 import { blankSketch } from "./scheme/sketch.js";
 import { about, newScene, schemeAfter } from "./wire.js";
 
@@ -39,7 +40,9 @@ form.addEventListener("submit", async (event) => {
   const { name, errors } = await newScene(editor.text, title.value);
   if (name === "") return tell(errors[0] ?? words["not sent"] ?? "");
   sessionStorage.removeItem(MEMORY);
-  location.assign(`s/${encodeURIComponent(name)}/#scheme`);
+  const place = new URL(`s/${encodeURIComponent(name)}/#scheme`, location.href);
+  await memory.moveTo(place.pathname);
+  location.assign(place.href);
 });
 if (paper.several) head.prepend(element("a", { href: "./" }, words["scenes"] ?? ""));
 head.append(themeButton(words));
@@ -47,7 +50,8 @@ main.replaceChildren(editor.element, element("aside", { "aria-label": words["sch
 document.documentElement.classList.add("js");
 save.disabled = true;
 const { text, sketch } = remembered();
-editor.begin(text, sketch);
+const memory = new Memory(editor);
+editor.begin(text, sketch).then(() => memory.recall());
 
 /** @returns {{text: string, sketch: import("./types.js").Sketch}} */
 function remembered() {

@@ -5,6 +5,7 @@ import { Values } from "./form.js";
 import { PageFrame } from "./frame.js";
 import { agrees } from "./scheme/agrees.js";
 import { Editor } from "./scheme/editor.js";
+import { Memory } from "./scheme/memory.js";
 import { PhotoCheck } from "./photo-check.js";
 import { Sheets } from "./sheets.js";
 import { tabList } from "./tabs.js";
@@ -51,6 +52,7 @@ const values = new Values(
 const photo = new PhotoCheck(words, scene.name, tell);
 // where nothing is to be said of the scheme, it is how the scene stands
 const scheme = new Editor(words, sendScheme, (text) => tell(text || stood), scene.fixed);
+const memory = new Memory(scheme);
 /** The version of the file that the scheme shows; "": none yet. */
 let schemed = "";
 /** The way of looking that was chosen. */
@@ -116,7 +118,7 @@ async function sendScheme(act) {
 
 /** Show the scheme of the file as it is. */
 function loadScheme() {
-  void scheme.reload(THE_FILE);
+  void scheme.reload(THE_FILE).then(() => memory.recall());
 }
 
 /** @param {boolean} there */

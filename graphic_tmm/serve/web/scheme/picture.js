@@ -31,6 +31,8 @@ export class Picture {
     this.dot = 0.001;
     /** The corners that were clicked, dots of the picture; null while none are wanted. @type {Place[] | null} */
     this.corners = null;
+    /** Whoever keeps it when it is another one. */
+    this.kept = () => {};
     const { say } = { say: (/** @type {string} */ key) => editor.say(key) };
     this.input = /** @type {HTMLInputElement} */ (element("input", { type: "file", accept: "image/*", "aria-label": say("scheme picture"), class: "file" }));
     this.button = element("label", { class: "tool file-tool", title: say("scheme picture") }, element("span", {}, say("scheme picture")), this.input);
@@ -76,6 +78,12 @@ export class Picture {
 
   /** @param {import("../../../page/web/own/shot.js").Photograph | null} image */
   put(image) {
+    this.show(image);
+    this.kept();
+  }
+
+  /** @param {import("../../../page/web/own/shot.js").Photograph | null} image */
+  show(image) {
     this.canvas?.remove();
     this.image = image;
     this.corners = null;
