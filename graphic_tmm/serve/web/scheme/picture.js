@@ -1,4 +1,4 @@
-import { element } from "../../../page/web/dom.js";
+import { drawnElement, element } from "../../../page/web/dom.js";
 import { Flattening } from "../../../page/web/own/flatten.js";
 import { pinholeOf } from "../../../page/web/own/lens.js";
 import { canvasOf, contextOn, openedPhoto } from "../../../page/web/own/photo.js";
@@ -17,6 +17,8 @@ import { apart } from "./sketch.js";
 /** How much of the window it fills when it is laid down. */
 const SHARE = 0.8;
 const PALE = "0.45";
+/** A picture with hills, as the other tools are drawn. */
+const ICON = "M3 5H21V19H3ZM3 17L9 10L13 15L16 12L21 17";
 
 export class Picture {
   /** @param {Editor} editor */
@@ -35,7 +37,7 @@ export class Picture {
     this.kept = () => {};
     const { say } = { say: (/** @type {string} */ key) => editor.say(key) };
     this.input = /** @type {HTMLInputElement} */ (element("input", { type: "file", accept: "image/*", "aria-label": say("scheme picture"), class: "file" }));
-    this.button = element("label", { class: "tool file-tool", title: say("scheme picture") }, element("span", {}, say("scheme picture")), this.input);
+    this.button = element("label", { class: "tool file-tool", title: say("scheme picture") }, drawnElement("svg", { viewBox: "0 0 24 24", "aria-hidden": "true" }, drawnElement("path", { d: ICON })), element("span", {}, say("scheme picture")), this.input);
     this.straighten = element("button", { type: "button", class: "tool" }, say("scheme straighten"));
     this.away = element("button", { type: "button", class: "tool" }, say("scheme picture away"));
     this.pale = /** @type {HTMLInputElement} */ (element("input", { type: "range", min: "0.1", max: "1", step: "0.05", value: PALE, "aria-label": say("scheme pale") }));
