@@ -40,6 +40,7 @@ from graphic_tmm.page.practice.own import OWN, own
 from graphic_tmm.page.practice.pack import Tables, practice, written_module
 from graphic_tmm.page.practice.words import practice_words
 from graphic_tmm.page.sentences import protocol_of
+from graphic_tmm.page.short_names import shortened
 from graphic_tmm.page.views import played
 from graphic_tmm.page.words import ENDS, PARTS, WORDS
 from graphic_tmm.paper.drawing import Drawing, Sheet
@@ -61,15 +62,18 @@ _INDEX = re.compile(r"_\{([^}]*)\}")
 _REMARK = re.compile(r"/\*.*?\*/", re.S)
 _BLANKS = re.compile(r"\s*([{};,])\s*|(?<=:)\s+")
 _INDENT = re.compile(r"^\s+", re.M)
-_UNQUOTED = re.compile(r"^[^\"'`/\n]+$", re.M)
-_SPACED = re.compile(r" ?([=<>?:&|,;{}()\[\]]) ?")
 _WEB: Traversable = files(__package__) / "web"
 _COMMENT = re.compile(r"^[ \t]*/\*\*(?:(?!\*/).|\n)*\*/\n|^[ \t]*//.*\n", re.M)
 
 
-@cache
 def script(*further: str, written: str = "") -> str:
-    """Return the page's program: main.js behind all that it imports, without comments, indents, empty lines.
+    """Return the page's program with its own names; see `program_parts`."""
+    return "\n" + "\n".join(program_parts(*further, written=written)) + "\n"
+
+
+@cache
+def program_parts(*further: str, written: str = "") -> tuple[str, ...]:
+    """Return the page's modules: main.js behind all that it imports, without comments, indents, empty lines.
 
     ``further``: folders whose ways of looking the page has too; ``written``: a module for the page alone, that
     runs before main.js as if it stood in the folder of practice. No text of a module goes over a line
@@ -92,13 +96,8 @@ def script(*further: str, written: str = "") -> str:
                 raise SheetError(f"page/web: {found} stands in {taken[found]}.js and in {name}.js")
             taken[found] = name
         bare = _EXPORT.sub("", _COMMENT.sub("", _IMPORT.sub("", text)))
-        parts.append(closed_up(_INDENT.sub("", bare)).strip("\n"))
-    return "\n" + "\n".join(parts) + "\n"
-
-
-def closed_up(code: str) -> str:
-    """Return code without blanks about its signs, but for lines that quote something, and signs of sums."""
-    return _UNQUOTED.sub(lambda line: _SPACED.sub(r"\1", line[0]), code)
+        parts.append(_INDENT.sub("", bare).strip("\n"))
+    return tuple(parts)
 
 
 @cache
@@ -206,7 +205,7 @@ def page(
         data["words"] |= _said(ERRORS, language)
         further = (*further, ACCURACY)
     written = written_module(board, tables, logs) if tables or logs else ""
-    program, looks = script(*further, written=written), style(*further)
+    program, looks = shortened(program_parts(*further, written=written)), style(*further)
     return (
         environment("graphic_tmm.page")
         .get_template("page.html")

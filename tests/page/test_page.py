@@ -19,7 +19,7 @@ from support.gallery import ROOT, SHEETS
 
 from graphic_tmm.errors import SheetError
 from graphic_tmm.page import page
-from graphic_tmm.page.page import modules_of, script, style
+from graphic_tmm.page.page import modules_of, program_parts, script, style
 
 WEB = files("graphic_tmm.page") / "web"
 TYPES = "export {};"
@@ -29,37 +29,21 @@ FURTHER = sorted(one.name for one in WEB.iterdir() if one.is_dir())
 
 @pytest.mark.parametrize("further", [(), tuple(FURTHER)])
 def test_every_line_of_code_is_carried(further):
-    """Blanks about signs may be missing: no two words become one, no two signs stand together that did not."""
-    code: Counter[tuple[str, ...]] = Counter()
+    code: Counter[str] = Counter()
     for text in modules_of(*further).values():
         code.update(
-            _parts(line.lstrip().removeprefix("export "))
+            line.lstrip().removeprefix("export ")
             for line in text.splitlines()
             if line and line != TYPES and not line.startswith("import ") and not _comment(line)
         )
     # what is written down of a scene alone asks for the arithmetic of rows
     written = 'import { ROWS } from "../live/rows.js";\n' if further else ""
     joined = Counter(
-        _parts(line.removeprefix("export "))
+        line.removeprefix("export ")
         for line in script(*further, written=written).splitlines()
         if line
     )
     assert joined == code
-
-
-def _parts(line: str) -> tuple[str, ...]:
-    """Return the words and signs of a line; one with quotes as it is."""
-    quoted = any(sign in line for sign in "\"'`/")
-    return (line,) if quoted else tuple(re.findall(r"[\w$]+|[-+*%!^~.]+|\S", line))
-
-
-def test_blanks_stay_where_signs_would_become_others():
-    lines = ("let a = b - -c;", "const d = e ? [f] : { g };", 'say(" = ", h);')
-    assert [page.closed_up(line) for line in lines] == [
-        "let a=b - -c;",
-        "const d=e?[f]:{g};",
-        'say(" = ", h);',
-    ]
 
 
 def test_no_text_goes_over_a_line():
@@ -94,19 +78,19 @@ def web(tmp_path, monkeypatch):
     written("more/told.js", "tell();")
     written("more/more.css", "p { padding: 0; }")
     monkeypatch.setattr(page, "_WEB", tmp_path)
-    for kept in (script, style):
+    for kept in (program_parts, style):
         monkeypatch.setattr(page, kept.__name__, kept.__wrapped__)
     return written
 
 
 def test_a_page_has_only_what_it_was_asked_for(web):
-    assert page.script() == "\nconst ROOMS={};\nbegin(ROOMS);\n"
+    assert page.script() == "\nconst ROOMS = {};\nbegin(ROOMS);\n"
     assert "padding" not in page.style()
 
 
 def test_a_folder_is_entered_before_the_page_begins(web):
-    lines = page.script("more").split()
-    assert lines.index("tell();") < lines.index("ROOMS.more=made;") < lines.index("begin(ROOMS);")
+    lines = page.script("more").splitlines()
+    assert lines.index("tell();") < lines.index("ROOMS.more = made;") < lines.index("begin(ROOMS);")
     text = page.style("more")
     assert text.index("margin:0") < text.index("padding:0")
 
