@@ -21,19 +21,20 @@ _TOKEN = re.compile(
     re.S,
 )
 _PATTERN = re.compile(r"/(?:[^/\\\[\n]|\\.|\[(?:[^\]\\\n]|\\.)*\])+/[a-z]*")
-_BEFORE_PATTERN = frozenset("( , = : [ ! & | ? { } ; && || ?? => + - * return".split())
-_KEYWORDS = frozenset(
-    """async await break case catch class const constructor continue default delete do else export extends
-    false finally for from function get if import in instanceof let new null of return set static super
-    switch this throw true try typeof undefined var void while yield arguments eval as""".split()
-)
+_BEFORE_PATTERN = frozenset([*"(,=:[!&|?{};+-*", "&&", "||", "??", "=>", "return"])
+_WORDS_OF_SCRIPT = """
+async await break case catch class const constructor continue default delete do else export extends false
+finally for from function get if import in instanceof let new null of return set static super switch this throw
+true try typeof undefined var void while yield arguments eval as
+"""
+_KEYWORDS = frozenset(_WORDS_OF_SCRIPT.split())
 BROWSERS = frozenset({"window"})
 """What modules take from the browser although something of theirs is called so (`tests/page`)."""
-_OBJECT = frozenset("= ( , [ : ? return ... const let && || ?? yield".split())
-_MEMBER = frozenset("{ ; } , get set static async".split())
+_OBJECT = frozenset([*"=(,[:?", "return", "...", "const", "let", "&&", "||", "??", "yield"])
+_MEMBER = frozenset([*"{;},", "get", "set", "static", "async"])
 _HEADS = frozenset({"if", "for", "while", "switch", "return"})
 _TEMPLATE_BEGINS, _TEMPLATE_ENDS = ("begin", "middle"), ("middle", "end of template")
-_WORDS = ("name", "number")
+_WORDS, _DOUBLED = {"name", "number"}, {"+", "-", "/"}
 _FIRST = ascii_letters
 _FURTHER = ascii_letters + digits
 
@@ -84,7 +85,7 @@ def _names() -> Iterator[str]:
 
 @cache
 def _read(code: str) -> tuple[Token, ...]:
-    """Return the tokens of a part of a program, names with their roles; blanks only where words would be one."""
+    """Return the tokens of a part of a program, names with their roles, without blanks that say nothing."""
     return tuple(_closed_up([*_roles(_tokens(code))]))
 
 
@@ -97,9 +98,7 @@ def _closed_up(tokens: Sequence[Token]) -> Iterator[Token]:
         before, after = tokens[k - 1] if k else one, tokens[k + 1] if k + 1 < len(tokens) else one
         if before.text == "}":
             yield Token("space", "\n" if "\n" in one.text else "")
-        elif before.kind == after.kind == "sign" and before.text in "+-/" and after.text in "+-/":
-            yield Token("space", " ")
-        elif before.kind in _WORDS and after.kind in _WORDS:
+        elif {before.kind, after.kind} <= _WORDS or {before.text, after.text} <= _DOUBLED:
             yield Token("space", " ")
 
 
@@ -177,8 +176,7 @@ def _brackets(code: Sequence[Token]) -> tuple[dict[int, int], list[str]]:
     inside: list[str] = []
     open_: list[tuple[int, str]] = [(0, "")]
     for k, one in enumerate(code):
-        ends = one.kind in _TEMPLATE_ENDS or one.kind == "sign" and one.text in ")]}"
-        if ends:
+        if one.kind in _TEMPLATE_ENDS or one.text in (")", "]", "}"):
             closes[open_.pop()[0]] = k
         inside.append(open_[-1][1])
         if one.kind == "sign" and one.text in "([{":

@@ -15,15 +15,18 @@ const needed = createRequire(asked.tools + "/");
 const acorn = needed("acorn"), scopes = needed("eslint-scope");
 const options = { ecmaVersion: 2022, sourceType: "module", ranges: true };
 const [long, short] = asked.programs.map((code) => acorn.parse(code, options));
-const beyond = (tree) => [...new Set(scopes.analyze(tree, options).globalScope.through.map((one) => one.identifier.name))];
+const through = (tree) => scopes.analyze(tree, options).globalScope.through;
+const beyond = (tree) => [...new Set(through(tree).map((one) => one.identifier.name))];
 const LEFT = new Set(["start", "end", "range", "raw", "shorthand"]);
 const names = [new Map(), new Map()], unlike = [];
+const bound = (from, to) => alike(0, from, to) && alike(1, to, from);
 const alike = (k, from, to) => names[k].has(from) ? names[k].get(from) === to : names[k].set(from, to);
 function compare(a, b, member) {
   if (a === null || typeof a !== "object") return a === b || unlike.push([a, b]);
   if (a.type !== b?.type || a.length !== b.length) return unlike.push([a.type, b?.type]);
-  if (a.type === "Identifier" && member) return a.name === b.name || unlike.push([a.name, b.name]);
-  if (a.type === "Identifier") return (alike(0, a.name, b.name) && alike(1, b.name, a.name)) || unlike.push([a.name, b.name]);
+  if (a.type === "Identifier") {
+    return (member ? a.name === b.name : bound(a.name, b.name)) || unlike.push([a.name, b.name]);
+  }
   for (const key of Object.keys(a)) {
     if (!LEFT.has(key)) compare(a[key], b[key], (key === "key" || key === "property") && !a.computed);
   }
@@ -34,8 +37,10 @@ tell({ unlike: unlike.slice(0, 9), beyond: [beyond(long), beyond(short)], names:
 PIECES = """
 const whole = { given: 1, taken(given) { return `${given}: ${[given].map((one) => `${one}`)}`; } };
 const quoted = /given["'`]/.test("given") ? whole.given : `given`;
-class Kept { given = 2; static taken = 3; get twice() { return 2 * this.given; } * each(given = whole) { yield given; } }
-function *rows({ given, other: taken = 4, ...rest }, [first, , second]) { yield { given, taken, rest }; yield first*second; }
+class Kept { given = 2; static taken = 3; get twice() { return 2 * this.given; }
+* each(given = whole) { yield given; } }
+function *rows({ given, other: taken = 4, ...rest }, [first, , second]) {
+yield { given, taken, rest }; yield first*second; }
 let a, b = 1, given = a - -b + +b;
 for (const { given: own } of [whole]) outer: for (;;) { if (own) break outer; }
 try { window.given = given / 2 / b; } catch (fault) { throw fault; }

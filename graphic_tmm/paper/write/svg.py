@@ -111,11 +111,13 @@ class Under(NamedTuple):
     colour: str = "#d0006f"
 
 
-def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -> str:
+def svg(
+    sheet: Sheet, *, under: Under | None = None, searchable: bool = False, layers: bool = True
+) -> str:
     """Return the sheet as SVG text: millimetres, one element a line, no outside references.
 
     ``under``: a picture instead of the paper; all ink upon it is thin, of one colour, and hides nothing.
-    ``searchable``: with live text, white under the ink.
+    ``searchable``: with live text, white under the ink; ``layers``: its groups are layers to Inkscape.
 
     Raises SheetError for a coordinate that is not finite, an unknown pen, or an unfit data name.
     """
@@ -129,12 +131,13 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
         debug=False,
     )
     page.elements.clear()  # an empty <defs>
-    page["xmlns:inkscape"] = "http://www.inkscape.org/namespaces/inkscape"
+    if layers:
+        page["xmlns:inkscape"] = "http://www.inkscape.org/namespaces/inkscape"
     if sheet.language:
         page["lang"] = page["xml:lang"] = sheet.language
     titles = "; ".join(clean(drawing.title or drawing.name) for drawing in sheet.drawings)
     page.set_desc(title=clean(sheet.title), desc=titles)
-    writer = _Writer(page, sheet.height, sheet.language or SOURCE)
+    writer = _Writer(page, sheet.height, sheet.language or SOURCE, layers=layers)
     if under is None:
         page.add(page.rect(size=(width, height), fill="white", class_="paper"))
     else:
@@ -154,8 +157,10 @@ def svg(sheet: Sheet, *, under: Under | None = None, searchable: bool = False) -
 class _Writer:
     """What turns records of ink into elements of one page."""
 
-    def __init__(self, page: svgwrite.Drawing, height: float, language: str) -> None:
-        self.page = page
+    def __init__(
+        self, page: svgwrite.Drawing, height: float, language: str, *, layers: bool
+    ) -> None:
+        self.page, self.layers = page, layers
         self.height = height
         self.language = language
         self.speech = speaking(language)
@@ -182,9 +187,10 @@ class _Writer:
         return self.layered(group, title)
 
     def layered(self, group: Any, label: str) -> Any:
-        """Return a group as a layer to Inkscape."""
-        group["inkscape:groupmode"] = "layer"
-        group["inkscape:label"] = label
+        """Return a group as a layer to Inkscape, where a sheet has any."""
+        if self.layers:
+            group["inkscape:groupmode"] = "layer"
+            group["inkscape:label"] = label
         return group
 
     def picture(self, file: str, width: str, height: str) -> Any:
