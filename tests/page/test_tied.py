@@ -151,10 +151,11 @@ def test_ink_of_strangers_does_so_too(name: str) -> None:
 PAGE = """
 import { LiveInk } from "./live/liveink.js";
 const ink = new LiveInk(asked.ties, asked.marks.length, asked.marks.map((_, k) => k), (k) => asked.marks[k]);
+const parts = asked.variants.map((own) => ink.expressions.nodesOf(own));
 tell(asked.marks.map((_, k) => {
-  ink.at(k);
   const { re, im } = ink.expressions;
-  return asked.variants.map((own) => {
+  return asked.variants.map((own, n) => {
+    ink.at(k, parts[n]);
     const found = ink.expressions.drawn(own);
     return found === undefined ? null : [own.indexOf(found), found[1].map((node) => [re[node], im[node]])];
   });

@@ -224,4 +224,5 @@ function weigh(svg) {
   const still = /** @type {SVGElement[]} */ ([...svg.querySelectorAll(".stays .glyph")]);
   growApart(svg, still, still.map(() => larger), "--larger");
   svg.style.setProperty("--heavier", Math.max(1, SEEN / scale).toFixed(2));
+  svg.dispatchEvent(new Event("weighed"));
 }

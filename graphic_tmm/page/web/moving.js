@@ -57,6 +57,8 @@ export class Moving {
       letters.append(made);
     }
     this.body.append(letters);
+    /** What its ink is tied to. */
+    this.nodes = ink?.expressions.nodesOf([...this.strokes, ...this.letters.map((one) => one.variants)].flat()) ?? [];
     this.last = "";
   }
 
@@ -154,7 +156,7 @@ export class Moving {
     const place = `${k} ${this.ink?.version ?? 0}`;
     if (place === this.last) return;
     this.last = place;
-    this.ink?.at(k);
+    this.ink?.at(k, this.nodes);
     this.body.setAttribute("visibility", drawn ? "visible" : "hidden");
     if (drawn) for (const act of this.acts) act(k);
   }

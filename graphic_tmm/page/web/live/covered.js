@@ -19,7 +19,8 @@ export function covered(re, im, of, from) {
     if ((of[n] ?? 0) < 0) strokes.push(n);
   }
   let count = 0;
-  for (let piece = 0; piece < PIECES; piece++) {
+  // once most of it is known nothing more can be
+  for (let piece = 0; piece < PIECES && 2 * count <= PIECES && 2 * (piece - count) < PIECES; piece++) {
     const share = (piece + 0.5) / PIECES;
     const [u, v] = [valueBetween(re, of, from, share), valueBetween(im, of, from, share)];
     if (strokes.some((n, k) => onStroke(u, v, re, im, of, n, strokes[k + 1] ?? end))) count++;
@@ -87,7 +88,8 @@ function nearStroke(u, v, a, b, c, d) {
  * @param {number} d
  */
 function nearRing(u, v, a, b, c, d) {
-  return Math.abs(Math.hypot(u - (a + c) / 2, v - (b + d) / 2) - Math.hypot(c - a, d - b) / 2) <= ON;
+  const [x, y, p, q] = [2 * u - a - c, 2 * v - b - d, c - a, d - b];
+  return Math.abs(Math.sqrt(x * x + y * y) - Math.sqrt(p * p + q * q)) <= 2 * ON;
 }
 
 /**

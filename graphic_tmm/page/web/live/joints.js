@@ -61,6 +61,11 @@ export function jointRings(svg, joints, marks, change, drop) {
   }
   // the joint that is found first lies on top of what hangs on it
   svg.append(...rings.map(({ both }) => both).reverse());
+  // asked for in each frame this would let the browser lay out the figure there and then
+  svg.addEventListener("weighed", () => {
+    const dot = /** @type {SVGSVGElement} */ (svg).getScreenCTM()?.a || 1;
+    for (const { grip } of rings) grip.setAttribute("r", String(GRASP / dot));
+  });
 
   /** @param {Complex} place */
   function nearest(place) {
@@ -70,7 +75,6 @@ export function jointRings(svg, joints, marks, change, drop) {
 
   return (k) => {
     at = k;
-    const dot = /** @type {SVGSVGElement} */ (svg).getScreenCTM()?.a || 1;
     for (const one of rings) {
       const mark = marks(k)[one.slot];
       const there = mark !== undefined && typeof mark === "object" && "re" in mark && Number.isFinite(mark.re + mark.im);
@@ -78,7 +82,6 @@ export function jointRings(svg, joints, marks, change, drop) {
       one.both.setAttribute("visibility", there ? "inherit" : "hidden");
       if (one.stands === null) continue;
       one.both.setAttribute("transform", `translate(${one.stands.re} ${-one.stands.im})`);
-      one.grip.setAttribute("r", String(GRASP / dot));
     }
   };
 }

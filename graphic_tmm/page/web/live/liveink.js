@@ -24,7 +24,6 @@ export class LiveInk {
     /** Whether something given is not as the sheet has it. */
     this.changed = false;
     this.version = 0;
-    this.shown = "";
     this.turned = -1;
     /** How often changing has ended; the angles at which letters are placed then; whether an angle is drawn. */
     this.released = 0;
@@ -43,18 +42,16 @@ export class LiveInk {
   }
 
   /**
-   * Calculate the ink of an angle (index).
+   * Calculate the ink of an angle (index), or what of it some nodes are.
    * @param {number} k
+   * @param {number[]} nodes
    */
-  at(k) {
-    const place = `${k} ${this.version}`;
-    if (place === this.shown) return;
-    this.shown = place;
+  at(k, nodes = this.expressions.every) {
     if (this.turned !== this.version) {
       this.turned = this.version;
       this.expressions.turn(this.positions());
     }
-    this.expressions.calculate(this.marks(k));
+    this.expressions.some(nodes, this.marks(k));
   }
 
   /**
@@ -65,8 +62,7 @@ export class LiveInk {
   settle(moving, k) {
     moving.asides = [];
     if (!this.changed) return null;
-    this.at(k);
-    this.shown = "";
+    this.at(k, []);
     const box = settled(this, moving, [...new Set([...this.places, k])], this.drawn);
     return box === null || holdsWell(moving.figure.box, box) ? null : box;
   }

@@ -200,6 +200,7 @@ function pointOf(mark) {
  */
 function known(mark) {
   if (mark === undefined) return false;
-  return typeof mark === "number" ? Number.isFinite(mark) : Object.values(mark).every((part) => known(part));
+  if (typeof mark === "number") return Number.isFinite(mark);
+  if ("re" in mark) return Number.isFinite(mark.re) && Number.isFinite(mark.im);
+  return "at" in mark ? known(mark.at) && known(mark.along) : known(mark.centre) && known(mark.radius);
 }
-

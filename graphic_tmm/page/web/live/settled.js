@@ -38,7 +38,7 @@ const EVERY = 5;
 export function settled(ink, moving, places, drawn) {
   const { expressions, frames, whole } = ink;
   const { strokes, letters } = moving;
-  const nodes = expressions.needed([...strokes, ...letters.map((one) => one.variants)].flat().flatMap((one) => nodesOf(one, expressions.holds)));
+  const { nodes } = moving;
   const boxes = letters.map((one) => /** @type {SVGGraphicsElement} */ (one.made).getBBox());
   /** @type {Map<number, Spot>[]} */
   const asides = letters.map(() => new Map());
@@ -84,14 +84,6 @@ function freeBeside(black) {
   const near = black.filter(([x, y]) => Math.hypot(x, y) > AT_POINT && Math.hypot(x, y) < FAR_INK);
   const tried = OFF.map((off) => besideOf([0, 0], off, near));
   return tried.find(([u, v]) => near.every(([x, y]) => Math.hypot(x - u, y - v) > CLEAR_OF_INK)) ?? tried[0] ?? [1, 1];
-}
-
-/**
- * @param {Variant} variant
- * @param {number[][]} holds
- */
-function nodesOf([which, at, bulges], holds) {
-  return [...at, ...(bulges === 0 ? [] : bulges), ...(holds[which] ?? []).map((one) => Math.abs(one) - 1)];
 }
 
 /**

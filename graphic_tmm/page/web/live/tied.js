@@ -70,20 +70,23 @@ export class Expressions {
       found.add(k);
       const op = this.ops[k] ?? "";
       const from = this.begins[k] ?? 0;
-      if (op !== "m" && op !== "n") ahead.push(...this.of.slice(from, from + (TAKES[op] ?? 1)));
+      if (op === "#") ahead.push(...this.of.slice(from + 1, from + 1 + (this.of[from] ?? 0)).filter((n) => n >= 0));
+      else if (op !== "m" && op !== "n") ahead.push(...this.of.slice(from, from + (TAKES[op] ?? 1)));
     }
     return [...found].sort((a, b) => a - b);
   }
 
   /**
-   * Calculate all from the marks in a position, by their slots.
-   * @param {(Drawn | undefined)[]} marks
+   * Return the nodes that variants are made of, and those that tell which of them holds.
+   * @param {Variant[]} variants
    */
-  calculate(marks) {
-    this.some(this.every, marks);
+  nodesOf(variants) {
+    const holding = (/** @type {number} */ which) => (this.holds[which] ?? []).map((one) => Math.abs(one) - 1);
+    return this.needed(variants.flatMap(([which, at, bulges]) => [...at, ...(bulges === 0 ? [] : bulges), ...holding(which)]));
   }
 
   /**
+   * Calculate nodes from the marks in a position, by their slots.
    * @param {number[]} nodes
    * @param {(Drawn | undefined)[]} marks
    */
