@@ -9,8 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.operations.curve import over
-from graphic_tmm.board.operations.graphs import erect
+from graphic_tmm.board.operations.graphs import erect, over
 from graphic_tmm.board.record import Construction, Figure, Mark, Step
 from graphic_tmm.board.values import Complexes, Curve, Point
 from graphic_tmm.drawn import Drawn
@@ -135,8 +134,10 @@ def _spots(
         feet = origin + numbers / count * (end - origin)
         return np.asarray(erect.run(curve, feet[None, :])[0]), True
     if _over_points(dense, log, step, through):
-        x = np.broadcast_to(dense.drawn.reading[through][0].real, numbers.shape)
-        return np.asarray(x + 1j * over(curve, numbers, x)), False
+        x = np.broadcast_to(dense.drawn.reading[through].real, (1, numbers.size))
+        return np.asarray(x + 1j * over.run(curve, dense.numbers[None, :], x, behind=behind))[
+            0
+        ], False
     return _on(curve, numbers), False
 
 

@@ -20,8 +20,8 @@ from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.findings import examine, step_number
 from graphic_tmm.board.hand import EXACT
-from graphic_tmm.board.record import Construction, Mark, again, kept
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.record import Construction, Mark, Step, again, kept
+from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.drawn import Drawn, Findings, Numbers
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.units import unit
@@ -115,8 +115,15 @@ def dense(drawn: Drawn) -> Dense | None:
     count = drawn.project.count
     numbers = np.abs(turned) * count / found.whole if steps is None else turn.numbers
     known |= {mark: numbers[None, :] for mark in log.given if mark.role == roles.STATION}
+    place = Mark(log.size, "i", Number, "", role=roles.STATION)
+    anew: dict[Mark, Step] = {}
     for chapter in drawn.project.chapters:
         known |= Turning.of(chapter).between(sheet, turn)
+        anew |= {step.it: step for step in Turning.of(chapter).read_off(sheet, place)}
+    if anew:
+        redrawn = tuple(anew.get(step.it, step) for step in log.steps)
+        log = log._replace(given=(*log.given, place), steps=redrawn, size=log.size + 1)
+        known[place] = numbers[None, :]
     following = again(log, known)
     reading = execute(following, known)
     angles = np.array(drawn.project.coordinates[0] or 0.0) + turned

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from support.examples import most
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.curve import arc_through, bezier, french_curve, over
+from graphic_tmm.board.operations.curve import arc_through, bezier, french_curve
+from graphic_tmm.board.operations.graphs import over
 from graphic_tmm.board.record import Board
 from graphic_tmm.board.values import Curve, Point
 
@@ -171,5 +172,6 @@ def test_over_a_knot_a_curve_has_its_height_also_where_it_is_upright() -> None:
     turns = np.linspace(0.0, 2 * np.pi, 24, endpoint=False)
     knots = 50.0 * np.cos(turns) + 1j * (20.0 * np.sin(turns) + 8.0 * np.cos(3 * turns))
     numbers = np.arange(24) * (1.0 + 1e-15)
-    heights = over(_curve(knots), numbers, knots.real * (1.0 - 1e-15))
-    np.testing.assert_allclose(heights, knots.imag, rtol=0, atol=1e-12)
+    feet = knots[None, :] * (1.0 - 1e-15)
+    heights = over.run(_curve(knots), numbers[None, :], feet, behind=0)
+    np.testing.assert_allclose(heights[0], knots.imag, rtol=0, atol=1e-12)

@@ -15,10 +15,6 @@ from graphic_tmm.board.grammar import CURVE, operation
 from graphic_tmm.board.values import Arc, Complexes, Curve, Point, Reals
 from graphic_tmm.language.said import said
 
-HALVINGS = 40
-"""How often the part of an arc is halved in which a place of it is sought: to 1e-12 of the arc."""
-WHOLE = 1e-9
-"""A number nearer to a whole one is that of a knot: it is worked out from the turn of the crank."""
 TAUT = 0.0
 """Of a curve that does not bulge: the share of the row's bend that its tangents may take; see `bounded`."""
 
@@ -224,35 +220,3 @@ def stationary(p: Complexes, m: Complexes, turned: complex | Complexes) -> list[
 def _on_arc(p: Complexes, q: Complexes, m: Complexes, n: Complexes, t: Reals) -> Complexes:
     """Return places on cubic arcs between ends p and q with tangents m and n."""
     return p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n)))
-
-
-def over(curve: Curve, numbers: Reals, feet: Reals) -> Reals:
-    """Return the heights, mm, of a closed curve over feet, each on the arc that its number tells.
-
-    A foot beyond both ends of its arc (the piston turns between two positions) has the nearer end's height, and
-    a whole number that of its knot: where the curve is upright a foot tells half of the digits.
-    """
-    count = curve.knots.shape[1]
-    first = np.floor(numbers).astype(int) % count
-    ends = (first, (first + 1) % count)
-    p, q = (curve.knots[0, k] for k in ends)
-    m, n = (curve.tangents[0, k] for k in ends)
-    low, high = np.zeros_like(feet), np.ones_like(feet)
-    rises = np.where(q.real >= p.real, 1.0, -1.0)
-    for _ in range(HALVINGS):
-        u = (low + high) / 2.0
-        before = (_between(p.real, q.real, m.real, n.real, u) - feet) * rises < 0.0
-        low, high = np.where(before, u, low), np.where(before, high, u)
-    knot = np.round(numbers)
-    u = np.where(np.abs(numbers - knot) <= WHOLE, knot - np.floor(numbers), (low + high) / 2.0)
-    return _between(p.imag, q.imag, m.imag, n.imag, u)
-
-
-def _between(p: Reals, q: Reals, m: Reals, n: Reals, u: Reals) -> Reals:
-    """Return a coordinate of cubic arcs between ends p and q with tangents m and n."""
-    return np.asarray(
-        p * (2 * u + 1) * (u - 1) ** 2
-        + m * u * (u - 1) ** 2
-        + q * u**2 * (3 - 2 * u)
-        + n * u**2 * (u - 1)
-    )

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from graphic_tmm.board.geometry import unit
 from graphic_tmm.board.grammar import FREE, SLIDE, WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import stationary
-from graphic_tmm.board.values import Complexes, Curve, Line, Point, Reals
+from graphic_tmm.board.values import Complexes, Curve, Length, Line, Number, Point, Reals
 from graphic_tmm.language.said import said
 
 
@@ -98,6 +98,50 @@ def erect(curve: Curve, foot: Point) -> Point:
     a, b, c, d = (2 * u + 1) * (u - 1) ** 2, u * (u - 1) ** 2, u**2 * (3 - 2 * u), u**2 * (u - 1)
     y = a * p[0].imag + b * m[0].imag + c * p[1].imag + d * m[1].imag
     return Point(foot.real + 1j * y)
+
+
+HALVINGS = 40
+"""How often the part of an arc is halved in which a place of it is sought: to 1e-12 of the arc."""
+WHOLE = 1e-9
+"""A number nearer to a whole one is that of a knot: it is worked out from the turn of the crank."""
+
+
+@operation(
+    symbol=SLIDE,
+    why=said("Between two positions the line of the diagram tells what nobody laid off."),
+)
+def over(curve: Curve, number: Number, foot: Point, *, behind: int) -> Length:
+    """Over {foot} read the height {it} of the closed curve {curve}, on its arc {number}.
+
+    A foot beyond both ends of its arc (the piston turns between two positions) has the nearer end's height, and
+    a whole number that of its knot: where the curve is upright a foot tells half of the digits. The arc is so
+    many ``behind``.
+    """
+    count = curve.knots.shape[1]
+    at, feet, knots, tangents = alike(number - behind, foot.real, curve.knots, curve.tangents)
+    first = np.asarray(np.floor(at) % count, dtype=int)
+    after = (first + 1) % count
+    p, q = (np.take_along_axis(knots, k, axis=1) for k in (first, after))
+    m, n = (np.take_along_axis(tangents, k, axis=1) for k in (first, after))
+    low, high = np.zeros_like(feet), np.full_like(feet, 1.0)
+    rises = np.where(q.real >= p.real, 1.0, -1.0)
+    for _ in range(HALVINGS):
+        u = (low + high) / 2.0
+        before = (_between(p.real, q.real, m.real, n.real, u) - feet) * rises < 0.0
+        low, high = np.where(before, u, low), np.where(before, high, u)
+    knot = np.rint(at)
+    u = np.where(np.abs(at - knot) <= WHOLE, knot - np.floor(at), (low + high) / 2.0)
+    return Length(_between(p.imag, q.imag, m.imag, n.imag, u))
+
+
+def _between(p: Reals, q: Reals, m: Reals, n: Reals, u: Reals) -> Reals:
+    """Return a coordinate of cubic arcs between ends p and q with tangents m and n."""
+    return np.asarray(
+        p * (2 * u + 1) * (u - 1) ** 2
+        + m * u * (u - 1) ** 2
+        + q * u**2 * (3 - 2 * u)
+        + n * u**2 * (u - 1)
+    )
 
 
 @operation(

@@ -2,35 +2,27 @@
 
 from __future__ import annotations
 
-from graphic_tmm.board.operations.curve import over
-from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.indicator.diagram import Indicator
+from collections.abc import Iterator
+
+from graphic_tmm.board.operations.graphs import over
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning
+from graphic_tmm.readers.any_angles.turn import Turning
 
 
-def between(drawn: Drawn, turn: Turn) -> Between:
-    """Return the pressure of each side at every angle; at the positions it is that which was laid off."""
-    found = dict[Mark, object]()
+def read_off(drawn: Drawn, number: Mark) -> Iterator[Step]:
+    """Yield how high each side's line is at any angle; at the positions it is what was laid off."""
+    log = drawn.construction
     for cylinder in INDICATOR_PLAN.on(drawn).every:
-        found |= _pressures(drawn, turn, cylinder.indicator)
-    return found
+        made = cylinder.indicator
+        behind = {one.points: one.behind for one in made.chart.followers}
+        for side in made.sides:
+            laid_off = log.step(side.points)
+            assert laid_off is not None
+            _, height = laid_off.uses
+            choice = {"behind": behind.get(side.points, 0)}
+            yield Step(over, height, (side.curve, number, made.feet), choice, "")
 
 
-def _pressures(drawn: Drawn, turn: Turn, made: Indicator) -> dict[Mark, object]:
-    found = dict[Mark, object]()
-    by_mark = {step.it: step for step in drawn.construction.steps}
-    feet = turn.read([made.feet])[made.feet][0].real
-    mu = float(drawn.numbers.drawn[made.chart.mu][0, 0])
-    behind = {one.points: one.behind for one in made.chart.followers}
-    for side in made.sides:
-        height = by_mark[side.points].uses[1]
-        pressure = by_mark[height].uses[0]
-        numbers = turn.numbers - behind.get(side.points, 0)
-        heights = over(drawn.numbers.drawn[side.curve], numbers, feet)
-        found[pressure] = (heights * mu)[None, :]
-    return found
-
-
-TURNING = Turning(between=between)
+TURNING = Turning(read_off=read_off)

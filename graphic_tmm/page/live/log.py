@@ -64,8 +64,8 @@ class LiveLog:
         some = uses | {mark for step in steps for mark in step.uses}
         found = replace(found, given={m: v for m, v in found.given.items() if m in some})
         following = found.log._replace(steps=steps)
-        recorded = set(whole.given)
-        self.own = {mark: value for mark, value in found.given.items() if mark in recorded}
+        drawn = {step.it for step in whole.steps}
+        self.own = {mark: value for mark, value in found.given.items() if mark not in drawn}
         live = self._written(again(following, self.own).steps, set(self.own), rows=False)
         if held := self._held(live):
             self.own |= held
@@ -104,7 +104,7 @@ class LiveLog:
         self.kept = {
             mark: value
             for mark, value in found.given.items()
-            if mark in used and mark not in recorded and mark.kind is not Curve
+            if mark in used and mark in drawn and mark.kind is not Curve
         }
         self.sheet = self._written(rest, {*self.own, *self.kept, *left}, rows=False)
 

@@ -93,7 +93,7 @@ class Recorded:
 
         turn = Turn(turned, self.whole, project.count, read, angles, self.row)
         for chapter in project.chapters:
-            found |= Turning.of(chapter).between(self.sheet, turn)
+            found |= Turning.of(chapter).values(self.sheet, turn)
         return found
 
     def _read(self, marks: tuple[Mark, ...], known: Mapping[Mark, Any]) -> Reading:

@@ -10,13 +10,15 @@ from typing import ClassVar, Literal, NamedTuple
 import numpy as np
 
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Curve, Number, Reals
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.scene.chapter import Answer
 from graphic_tmm.scene.records import Scene
 
+PLACE = Mark(-1, "i", Number, "")
+"""Where in the row an angle is, in intervals of it, for who runs steps of `Turning.read_off` by himself."""
 ENDS = 1e-9
 """A place so near the end of a row is there, °."""
 Between = Mapping[Mark, object]
@@ -133,13 +135,30 @@ class Passed(NamedTuple):
 class Turning(Answer):
     """What a chapter knows at any angle of the crank.
 
-    ``between``: the values of its given marks of a drawn board at any angles of a turn, and of those that are
-    read off the drawing instead of computed again. ``passed``: how well the mechanism transmits its motion over
-    a turn. ``told``: its quantities at any angle; ``free``: the scene as it is recorded for them.
+    ``between``: the values of its given marks of a drawn board at any angles of a turn. ``read_off``: of a
+    drawn board and the mark that tells where in the row an angle is the steps by which marks are read off the
+    drawing there instead of computed again. ``passed``: how well the mechanism transmits its motion over a
+    turn. ``told``: its quantities at any angle; ``free``: the scene as it is recorded for them.
     """
 
     stands: ClassVar[str] = "turning.TURNING"
     between: Callable[[Drawn, Turn], Between] = lambda drawn, turn: {}
+    read_off: Callable[[Drawn, Mark], Iterable[Step]] = lambda drawn, number: ()
     passed: Callable[[Project], Passed | None] = lambda project: None
     told: Callable[[Project], Iterable[TurnQuantity]] = lambda project: ()
     free: Callable[[Scene], Scene] = lambda scene: scene
+
+    def values(self, drawn: Drawn, turn: Turn) -> Between:
+        """Return the values of all that is known at any angles of a turn, or read off the drawing there."""
+        found = dict(self.between(drawn, turn))
+        for step in self.read_off(drawn, PLACE):
+            uses = [
+                turn.numbers[None, :]
+                if mark is PLACE
+                else drawn.numbers.drawn[mark]
+                if mark.kind is Curve
+                else turn.read([mark])[mark]
+                for mark in step.uses
+            ]
+            found[step.it] = step.op.run(*uses, **step.choice)
+        return found
