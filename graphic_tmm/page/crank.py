@@ -111,6 +111,7 @@ def crank(made: DrawnScene, sheets: Sequence[Sheet], *, live: bool = False) -> T
     on_charts = list(cursors(found, drawn, sheets))
     charts = LiveCharts(found, drawn, on_charts, sheets) if live and on_charts else None
     charted = charts.slots if charts is not None else frozenset[int]()
+    slots |= charts.moving if charts is not None else frozenset[int]()
     language = made.scene.language
     box = pens(sheets[0].format if sheets else "A1")
     data = {

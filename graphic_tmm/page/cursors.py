@@ -28,8 +28,8 @@ class Cursor(NamedTuple):
     every angle, mm, where the sheet has it, NaN where there is none; ``origin``: where the graph begins there.
     ``letter``: of what it tells; ``mu``: of its ordinates, in ``unit``; ``upright``: it stands over a base.
     ``chart``: of what graph, ``behind``: so many positions behind the others it runs; ``base``: the beginning
-    and the end of its base, none where it has none; ``by_number``: its place on the curve is its number in the
-    row.
+    and the end of its base, none where it has none; ``point``: of a curve over points that move with the
+    mechanism the one that runs on it, None where its place on the curve is its number in the row.
     """
 
     view: str
@@ -45,7 +45,7 @@ class Cursor(NamedTuple):
     chart: Chart
     behind: int
     base: tuple[Mark, ...]
-    by_number: bool
+    point: Mark | None
 
 
 def cursors(dense: Dense, drawn: Drawn, sheets: Sequence[Sheet]) -> Iterator[Cursor]:
@@ -80,7 +80,7 @@ def cursors(dense: Dense, drawn: Drawn, sheets: Sequence[Sheet]) -> Iterator[Cur
                         chart,
                         behind,
                         base if upright else (),
-                        not (upright or _over_points(dense, log, step, through)),
+                        through if _over_points(dense, log, step, through) else None,
                     )
 
 

@@ -38,9 +38,9 @@ def live_cursor(one: Cursor, sheets: Sequence[Sheet]) -> dict[str, Any]:
         "at": [round(one.origin.real, 3), round(sheets[one.sheet].height - one.origin.imag, 3)],
         "behind": one.behind,
     }
-    if one.base or one.by_number:
-        found["base"] = [mark.slot for mark in one.base]
-    return found
+    if one.point is not None:
+        return found | {"point": one.point.slot}
+    return found | {"base": [mark.slot for mark in one.base]}
 
 
 def _straight(view: Drawing, plans: Mapping[int, str]) -> dict[tuple[int, float], Complexes]:
@@ -151,6 +151,11 @@ class LiveCharts:
         for one in self.cursors:
             found |= {one.curve, one.chart.mu.slot, *(mark.slot for mark in one.base)}
         return frozenset(found | {mark.slot for *_, mark in self.results})
+
+    @property
+    def moving(self) -> frozenset[int]:
+        """The marks that cursors need at every angle."""
+        return frozenset(one.point.slot for one in self.cursors if one.point is not None)
 
     def data(self) -> dict[str, Any]:
         """Return how numbers of the row go on along the angles, how many there are; the rest by its names."""

@@ -36,8 +36,9 @@
  *   stands?: [number, number, number][], crank?: number[]}} MovingFigure
  * @typedef {{view: string, letter: string, unit: string, mu: number, origin: number, upright: boolean,
  *   x: number[], y: number[], there: There, texts: (string | null)[], curve?: number, of?: number, at?: [number, number],
- *   behind?: number, base?: number[]}} Cursor `curve`, `of`: the curve and its scale factor, by slots; `at`: where its view begins
- *   on the sheet; `behind`: so many positions behind others; `base`: its ends, none of a curve whose knots are the positions
+ *   behind?: number, base?: number[], point?: number}} Cursor `curve`, `of`: the curve and its scale factor, by slots;
+ *   `at`: where its view begins on the sheet; `behind`: so many positions behind others; `base`: its ends, none of a curve
+ *   whose knots are the positions; `point`: of a curve over points that move the mark that runs on it
  * @typedef {{view: string, letter: string, unit: string, text: string, slot: number}} Result what comes out of a view
  * `ends`: of a row that is no whole turn, what its place is called, where it begins, how far a step goes.
  * @typedef {{whole: number, step: number, sense: number, zero: number, more: number[], lengths: number[],

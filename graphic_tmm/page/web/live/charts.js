@@ -139,8 +139,18 @@ export class LiveChart {
    * @returns {Complex | null}
    */
   point(n, k) {
+    const one = this.cursors[n];
+    return one?.point === undefined ? this.onCurve(one, k) : knownPoint(this.run.marks(k)[one.point]);
+  }
+
+  /**
+   * @param {Cursor | undefined} cursor
+   * @param {number} k
+   * @returns {Complex | null}
+   */
+  onCurve(cursor, k) {
     const [from, by, count] = this.dense.numbers ?? [NaN, NaN, NaN];
-    const { base, curve, behind = 0 } = this.cursors[n] ?? {};
+    const { base, curve, behind = 0 } = cursor ?? {};
     const [first = []] = this.run.charts();
     const own = first[curve ?? -1];
     if (base === undefined || !isCurve(own)) return null;
