@@ -28,6 +28,8 @@ EVEN = 1e-9
 """The numbers of places in the row that are off a straight line by no more go on evenly."""
 SHORT = 0.01
 """Ink ends in a mark if it is nearer, mm: the half of what a sheet tells."""
+TICK, FAR = 2.0, 10.5
+"""A line goes on beyond its mark by more, and less, mm: a tangent by 10; a tick is no line."""
 
 
 def live_cursor(one: Cursor, sheets: Sequence[Sheet]) -> dict[str, Any]:
@@ -44,16 +46,55 @@ def live_cursor(one: Cursor, sheets: Sequence[Sheet]) -> dict[str, Any]:
 
 
 def _straight(view: Drawing, plans: Mapping[int, str]) -> dict[tuple[int, float], Complexes]:
-    """Return the ends of the straight lines of a view that come from one step each, by that and their width."""
-    found: dict[tuple[int, float], list[tuple[complex, complex]]] = {}
+    """Return the ends of the straight lines of a view that come from one step each, by that and their width.
+
+    Pieces between letters that stand on a line are one line.
+    """
+    found: dict[tuple[int, float], dict[object, list[complex]]] = {}
     widths = {name: pen.width for name, pen in pens("A1").items()}
     for one in view.strokes:
         if isinstance(one, Stroke) and len(one.of) == 1 and len(one.path) == 2 and not one.part:
             plan = plans.get(one.of[0], "")
-            if plan in view.shows:
-                first, last = (complex(x, y) - view.origin(plan) for x, y, _ in one.path)
-                found.setdefault((one.of[0], widths[one.pen]), []).append((first, last))
-    return {key: np.array(ends) for key, ends in found.items()}
+            if plan in view.shows and not one.closed:
+                ends = [complex(x, y) - view.origin(plan) for x, y, _ in one.path]
+                lines = found.setdefault((one.of[0], widths[one.pen]), {})
+                lines.setdefault(one.position, []).extend(ends)
+    return {
+        key: np.array([ends for some in lines.values() for ends in _whole_lines(some)])
+        for key, lines in found.items()
+    }
+
+
+def _is_head(one: Stroke) -> bool:
+    """Whether a stroke is the head of an arrow that a step left."""
+    return one.filled and len(one.path) == 3 and len(one.of) == 1 and not one.part
+
+
+def _whole_lines(pieces: Sequence[complex]) -> list[tuple[complex, complex]]:
+    """Return the ends of lines whose pieces lie on one; of others the pieces."""
+    ends = np.array(pieces)
+    start = ends[np.argmax(np.abs(ends - ends[0]))]
+    end = ends[np.argmax(np.abs(ends - start))]
+    if np.abs(((ends - start) * np.conj(end - start)).imag).max() < SHORT * abs(end - start):
+        return [(complex(start), complex(end))]
+    return list(zip(pieces[::2], pieces[1::2], strict=True))
+
+
+def _beyond(first: Complexes, last: Complexes, ends: Complexes) -> tuple[float, float] | None:
+    """Return how far lines go on beyond both of two marks in all positions, mm; None where they do not.
+
+    ``ends``: of each line, (line, 2).
+    """
+    long = np.abs(last - first)[:, None, None]
+    along = (ends - first[:, None, None]) * np.conj(last - first)[:, None, None] / long
+    far = np.stack([-along.real.min(axis=2), along.real.max(axis=2) - long[:, :, 0]], axis=2)
+    ends_there = (np.abs(far) < SHORT) | ((far > TICK) & (far < FAR))
+    there = (np.abs(along.imag).max(axis=2) < SHORT) & ends_there.all(axis=2)
+    for own in far[0][there[0]]:
+        if (there & (np.abs(far - own).max(axis=2) < SHORT)).any(axis=1).all():
+            before, behind = (round(float(x), 2) + 0.0 for x in np.where(own < SHORT, 0.0, own))
+            return before, behind
+    return None
 
 
 class LiveCharts:
@@ -95,10 +136,13 @@ class LiveCharts:
     def hangs(self) -> dict[int, list[int]]:
         """The marks that ink of others hangs on, by slots: a line is drawn as far as what is marked on it.
 
-        Axes are as long as the base.
+        Axes are as long as the base, or as the sheet has them: these have heads.
         """
         log = self.found.sheet.construction
         axes = {mark for figure in log.figures if figure.kind == "axes" for mark in figure.marks}
+        strokes = (one for _, view in self.views.values() for one in view.strokes)
+        headed = {one.of[0] for one in strokes if isinstance(one, Stroke) and _is_head(one)}
+        axes |= {step.it for step in log.steps if step.it.slot in headed and step.it.kind is Line}
         found: dict[int, set[int]] = {}
         for step in log.steps:
             for mark in step.uses if step.it not in axes else ():
@@ -108,25 +152,28 @@ class LiveCharts:
         return {slot: sorted(found[slot]) for slot in sorted(self.inked & found.keys())}
 
     @cached_property
-    def segments(self) -> list[tuple[str, int, float, int, int, float, float]]:
+    def segments(self) -> list[tuple[str, int, float, int, int, *tuple[float, ...]]]:
         """The straight lines from mark to mark: of each its view, the mark that its ink is of, its width.
 
-        Then both marks, and where their plan begins on the sheet. They are ink that stands exactly between the
-        two in every position of the row in which these are apart.
+        Then both marks, where their plan begins on the sheet, and how far it goes on beyond both where it does.
+        They are ink that stands so between the two in every position of the row in which these are apart.
         """
-        found = []
+        found: list[tuple[str, int, float, int, int, *tuple[float, ...]]] = []
         for name, (high, view) in self.views.items():
             for (slot, width), ends in _straight(view, self.plans).items():
                 origin = view.origin(self.plans[slot])
                 at = round(origin.real, 3), round(high - origin.imag, 3)
-                pair = next(self._between(slot, ends), None)
-                found += [] if pair is None else [(name, slot, width, *pair, *at)]
+                pairs = sorted(self._between(slot, ends), key=lambda one: sum(one[2:]))
+                if pairs:
+                    first, last, *beyond = pairs[0]
+                    more = beyond if any(beyond) else ()
+                    found.append((name, slot, width, int(first), int(last), *at, *more))
         return found
 
-    def _between(self, slot: int, ends: Complexes) -> Iterator[tuple[int, int]]:
-        """Yield the pairs of marks between which ink of a mark stands; ``ends``: of each line, mm of its view.
+    def _between(self, slot: int, ends: Complexes) -> Iterator[tuple[int, int, float, float]]:
+        """Yield the pairs of marks between which ink of a mark stands, how far it goes on beyond each.
 
-        Positions outside the row need have no line.
+        ``ends``: of each line, mm of its view. Positions outside the row need have no line.
         """
         places, count = {}, self.drawn.project.count
         for one in {slot, *self.hangs.get(slot, ())}:
@@ -137,12 +184,8 @@ class LiveCharts:
         for first, last in combinations(sorted(places), 2):
             a, b = places[first], places[last]
             apart = np.isfinite(a) & np.isfinite(b) & (np.abs(a - b) > SHORT)
-            off = [
-                np.abs(ends - np.stack(pair, axis=1)[apart][:, None]).max(axis=2).min(axis=1)
-                for pair in ((a, b), (b, a))
-            ]
-            if apart.any() and np.minimum(*off).max() < SHORT:
-                yield first, last
+            if apart.any() and (beyond := _beyond(a[apart], b[apart], ends)) is not None:
+                yield first, last, *beyond
 
     @property
     def slots(self) -> frozenset[int]:

@@ -49,7 +49,7 @@
  *   hangs?: Record<string, number[]>, segments?: [string, ...number[]][]}} Dense `numbers`: of the row, the first, by how
  *   much they go on, how many there are; `hangs`: on which marks ink of others hangs;
  *   `segments`: lines of ink from mark to mark: view, slot, width of the pen, both marks, where their plan
- *   begins on the sheet
+ *   begins on the sheet, how far it goes on beyond both marks
  *
  * Ink tied to marks; the names are those of page/tied_pack.py. What is tied has no coordinates where its variants tell
  * all of it; of a letter they are how far it is off its point.

@@ -1,7 +1,7 @@
 import { drawnElement } from "../dom.js";
 import { BOARD } from "../practice/board.js";
 import { hundredths } from "../strokes.js";
-import { curvePath, placeOnCurve } from "./curves.js";
+import { curvePath, isCurve, isLine, isPlace, knownPoint, placeOnCurve, sameValue } from "./curves.js";
 
 /**
  * @typedef {import("../types.js").Dense} Dense
@@ -13,8 +13,8 @@ import { curvePath, placeOnCurve } from "./curves.js";
  * @typedef {(Complex | null)[]} Ways
  */
 
-/** What is off where it was by more has moved, mm or a share of it. */
-const MOVED = 1e-6;
+/** The path of a dot: a whole circle. */
+const DOT = /^M[^LC]*Z$/;
 /** The way of what did not move. @type {Complex} */
 const UNMOVED = { re: 0, im: 0 };
 
@@ -34,7 +34,10 @@ export class LiveChart {
     this.dense = dense;
     this.cursors = cursors;
     const parts = /** @type {SVGElement[]} */ ([...ink.querySelectorAll("[data-of]")]);
-    this.parts = parts.map((part) => ({ part, slots: slotsOfPart(part), at: Number(part.getAttribute("data-at") ?? -1) }));
+    this.parts = parts.map((part) => {
+      const dot = DOT.test(part.getAttribute("d") ?? "");
+      return { part, slots: slotsOfPart(part), at: Number(part.getAttribute("data-at") ?? -1), dot, sign: dot || part.matches(".label") };
+    });
     this.curves = cursors.map((one) => beside(ink, one.curve ?? -1));
     const segments = (dense.segments ?? []).filter(([view]) => view === cursors[0]?.view);
     this.segments = segments.map(([, slot, width, ...rest]) => ({ path: beside(ink, slot, width), rest }));
@@ -54,7 +57,7 @@ export class LiveChart {
     const now = changed ? this.run.charts() : this.own;
     this.shown = changed ? this.run.version : 0;
     const ways = this.ways(now);
-    for (const { part, slots, at } of this.parts) letFollow(part, this.wayOf(slots, at, ways));
+    for (const one of this.parts) letFollow(one.part, one.dot ? this.wayOfDot(one.slots, one.at, now) : this.wayOf(one.slots, one.at, ways), one.sign);
     for (const { path, rest } of this.segments) path.setAttribute("d", changed ? this.linesOf(rest, now) : "");
     this.cursors.forEach((one, n) => {
       const [curve, ...ends] = [one.curve, ...(one.base ?? [])].map((slot) => (changed ? now[0]?.[slot ?? -1] : undefined));
@@ -65,16 +68,19 @@ export class LiveChart {
 
   /**
    * Return the lines from mark to mark in all positions of the row.
-   * @param {number[]} line both marks, where their plan begins on the sheet
+   * @param {number[]} line both marks, where their plan begins on the sheet, how far it goes on beyond each
    * @param {AcrossMark[][]} now
    */
-  linesOf([first = -1, last = -1, x = 0, y = 0], now) {
+  linesOf([first = -1, last = -1, x = 0, y = 0, before = 0, behind = 0], now) {
     const [, , count] = this.dense.numbers ?? [0, 0, now.length];
     const lines = now.slice(0, count).map((marks) => {
-      const ends = [marks[first], marks[last]].map((mark) => knownPoint(isLine(mark) ? mark.at : mark));
-      return ends.map((end, n) => (end === null ? null : `${n === 0 ? "M" : "L"}${hundredths(x + end.re)} ${hundredths(y - end.im)}`));
+      const [from, to] = [spotOf(marks[first]), spotOf(marks[last])];
+      if (from === null || to === null) return "";
+      const long = Math.hypot(to.re - from.re, to.im - from.im) || 1;
+      const on = (/** @type {number} */ by) => `${hundredths(x + from.re + by * (to.re - from.re))} ${hundredths(y - from.im - by * (to.im - from.im))}`;
+      return `M${on(-before / long)}L${on(1 + behind / long)}`;
     });
-    return [...new Set(lines.filter((ends) => !ends.includes(null)).map((ends) => ends.join("")))].join("");
+    return [...new Set(lines)].join("");
   }
 
   /**
@@ -91,6 +97,18 @@ export class LiveChart {
     if (first !== UNMOVED) return slots.length === 1 ? first : null;
     const under = slots.flatMap((slot) => this.dense.hangs?.[slot] ?? []);
     return under.some((slot) => (ways.get(slot) ?? []).some((way) => way !== UNMOVED)) ? null : UNMOVED;
+  }
+
+  /**
+   * @param {number[]} slots
+   * @param {number} at
+   * @param {AcrossMark[][]} now
+   * @returns {Complex | null}
+   */
+  wayOfDot([slot = -1], at, now) {
+    const k = Math.max(at, 0);
+    const [from, to] = [spotOf(this.own[k]?.[slot]), spotOf(now[k]?.[slot])];
+    return from === null || to === null ? null : { re: to.re - from.re, im: to.im - from.im };
   }
 
   /**
@@ -178,63 +196,26 @@ function beside(ink, slot, width = 0) {
 }
 
 /**
- * Let a letter go with its point; hide whatever else moved.
+ * Let a letter or a dot go with its point; hide whatever else moved.
  * @param {SVGElement} part
  * @param {Complex | null} way
+ * @param {boolean} sign whether it is a letter or a dot
  */
-function letFollow(part, way) {
-  const label = part.matches(".label");
-  const there = way !== null && (label || way === UNMOVED);
-  part.setAttribute("visibility", there ? "inherit" : "hidden");
+function letFollow(part, way, sign) {
+  part.setAttribute("visibility", way !== null && (sign || way === UNMOVED) ? "inherit" : "hidden");
   // a letter's transform is that by which it grows
-  if (label && way !== null) part.style.setProperty("translate", `${hundredths(way.re)}px ${hundredths(-way.im)}px`);
+  if (sign && way !== null) part.style.setProperty("translate", `${hundredths(way.re)}px ${hundredths(-way.im)}px`);
+}
+
+/**
+ * Return a point, or where a line begins.
+ * @param {AcrossMark} mark
+ */
+function spotOf(mark) {
+  return knownPoint(isLine(mark) ? mark.at : mark);
 }
 
 /** @param {Element} part */
 function slotsOfPart(part) {
   return (part.getAttribute("data-of") ?? "").split(" ").filter(Boolean).map(Number);
-}
-
-/**
- * @param {any} value
- * @returns {value is Complex}
- */
-function isPlace(value) {
-  return typeof value === "object" && "re" in value;
-}
-
-/**
- * @param {any} value
- * @returns {value is import("../types.js").DrawnLine}
- */
-function isLine(value) {
-  return typeof value === "object" && "along" in value;
-}
-
-/**
- * @param {any} value
- * @returns {value is DrawnCurve}
- */
-function isCurve(value) {
-  return typeof value === "object" && "knots" in value;
-}
-
-/**
- * @param {any} point
- * @returns {Complex | null}
- */
-function knownPoint(point) {
-  return isPlace(point) && Number.isFinite(point.re + point.im) ? point : null;
-}
-
-/**
- * Tell whether two values are the same; what is not there is like nothing.
- * @param {any} a
- * @param {any} b
- * @returns {boolean}
- */
-function sameValue(a, b) {
-  if (a === undefined || b === undefined) return a === b;
-  if (typeof a !== "object") return a === b || Math.abs(a - b) <= MOVED * Math.max(1, Math.abs(a)) || (Number.isNaN(a) && Number.isNaN(b));
-  return a === b || Object.keys(a).every((key) => sameValue(a[key], b[key]));
 }

@@ -1,5 +1,8 @@
 import { hundredths } from "../strokes.js";
 
+/** What is off where it was by more has moved, mm or a share of it. */
+const MOVED = 1e-6;
+
 /**
  * @typedef {import("../types.js").Complex} Complex
  * @typedef {import("../types.js").DrawnCurve} DrawnCurve
@@ -85,4 +88,48 @@ export function curvePath(curve, [x, y], [from = -Infinity, to = Infinity]) {
     text += `M${on(p.re, p.im)}C${on(p.re + m.re / 3, p.im + m.im / 3)} ${on(q.re - n.re / 3, q.im - n.im / 3)} ${on(q.re, q.im)}`;
   }
   return text;
+}
+
+/**
+ * @param {any} value
+ * @returns {value is Complex}
+ */
+export function isPlace(value) {
+  return typeof value === "object" && "re" in value;
+}
+
+/**
+ * @param {any} value
+ * @returns {value is import("../types.js").DrawnLine}
+ */
+export function isLine(value) {
+  return typeof value === "object" && "along" in value;
+}
+
+/**
+ * @param {any} value
+ * @returns {value is DrawnCurve}
+ */
+export function isCurve(value) {
+  return typeof value === "object" && "knots" in value;
+}
+
+/**
+ * @param {any} point
+ * @returns {Complex | null}
+ */
+export function knownPoint(point) {
+  return isPlace(point) && Number.isFinite(point.re + point.im) ? point : null;
+}
+
+/**
+ * Tell whether two values are the same; what is not there is like nothing.
+ * @param {any} a
+ * @param {any} b
+ * @returns {boolean}
+ */
+export function sameValue(a, b) {
+  if (a === undefined || b === undefined) return a === b;
+  if (typeof a !== "object") return a === b || Math.abs(a - b) <= MOVED * Math.max(1, Math.abs(a)) || (Number.isNaN(a) && Number.isNaN(b));
+  return a === b || Object.keys(a).every((key) => sameValue(a[key], b[key]));
 }
