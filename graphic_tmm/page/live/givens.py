@@ -16,7 +16,7 @@ from graphic_tmm.language.symbols import spoken
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.dense import Dense
 from graphic_tmm.page.live.joints import joints
-from graphic_tmm.page.live.keys import Letter, Meaning, keys
+from graphic_tmm.page.live.keys import Letter, Meaning, keys, opposite_of
 from graphic_tmm.page.live.log import LiveLog, turned_figure
 from graphic_tmm.page.live.scales import free_scales, marks_of, scales_data
 from graphic_tmm.page.sentences import marked_up
@@ -108,8 +108,14 @@ def _sliders(log: LiveLog, language: str) -> Iterator[dict[str, Any]]:
             key = (mark.name, mark.unit, float(np.ravel(value)[0]), scales.get(mark, ""))
             same.setdefault(key, []).append(mark)
     known = keys(project.scene, project)
+    minus = {
+        own: same.pop(key)
+        for key in list(same)
+        if (own := (opposite_of(key[0]), key[1], -key[2], key[3])) in same
+    }
     # scales last: whoever opens the page looks for lengths
-    for (_, of, value, plan), marks in sorted(same.items(), key=lambda one: one[0][3] != ""):
+    for key, marks in sorted(same.items(), key=lambda one: one[0][3] != ""):
+        _, of, value, plan = key
         yield {
             "l": marked_up(marks[0], language),
             "n": spoken(marks[0], language),
@@ -117,6 +123,7 @@ def _sliders(log: LiveLog, language: str) -> Iterator[dict[str, Any]]:
             "by": IN_MM if of == "m" else 1.0,
             "v": value,
             "slots": [mark.slot for mark in marks],
+            **({"minus": [mark.slot for mark in minus[key]]} if key in minus else {}),
             **({"plan": title_of(project, plan, language)} if plan else {}),
             **_key(marks, known),
         }

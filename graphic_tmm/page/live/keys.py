@@ -7,7 +7,9 @@ several, as the side of a plate does, is none, and so is a number that several l
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
+from copy import deepcopy
 from dataclasses import replace
 from itertools import product
 from typing import Any, NamedTuple
@@ -18,12 +20,22 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.errors import TmmError
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism
 from graphic_tmm.project import Project, record
+from graphic_tmm.scene.declare import Path
+from graphic_tmm.scene.document import Document
+from graphic_tmm.scene.meaning import leaves, value_at
+from graphic_tmm.scene.read import understood
 from graphic_tmm.scene.records import Scene
 
 STEP = 2.0**-12
 """Numbers are changed by one, two, three … times this share: less than a length of a mechanism is known to."""
 ALIKE = 1e-9
 """Shares are the same to this: far less than a step, far more than rounding."""
+IN_MM = 1000.0
+"""Lengths in mm are known in m."""
+OWN = frozenset({"frame", "link", "lengths", "joints", "sheet", "hand"})
+"""Sections whose numbers are those of the mechanism, or of no quantity."""
+WITH_UNIT = re.compile(r"([-+]?[\d.]+(?:[eE][-+]?\d+)?) ?(.*)")
+"""A number of a file, and its unit."""
 Letter = tuple[str, str]
 """View and letter of a mark."""
 
@@ -59,8 +71,16 @@ class Meaning(NamedTuple):
         return found if less is None else found | {"less": [less.table, less.name, less.part]}
 
 
+def opposite_of(name: str) -> str:
+    """Return the letter whose opposite another is: ω_1 of (−ω_1); "" of all others."""
+    return name[2:-1] if name.startswith("(−") else ""
+
+
 def keys(scene: Scene, project: Project) -> dict[Letter, Meaning]:
-    """Return what letters are in the scene; letters that are not there follow from several numbers."""
+    """Return what letters are in the scene; letters that are not there follow from several numbers.
+
+    A number on which such a letter hangs is left out, too.
+    """
     assert scene.mechanism is not None
     numbers = list(_numbers(scene.mechanism))
     shares = [STEP * (k + 1) for k in range(len(numbers))]
@@ -73,7 +93,7 @@ def keys(scene: Scene, project: Project) -> dict[Letter, Meaning]:
             found[letter] = near
     names: dict[int, set[str]] = {}
     for (_, name), k in found.items():
-        names.setdefault(k, set()).add(name)
+        names.setdefault(k, set()).add(opposite_of(name) or name)
     found = {letter: k for letter, k in found.items() if len(names[k]) == 1}
     meanings = {
         letter: Meaning(numbers[k], old[letter] / numbers[k].value) for letter, k in found.items()
@@ -91,11 +111,68 @@ def keys(scene: Scene, project: Project) -> dict[Letter, Meaning]:
                 and abs(abs(value / apart) - 1.0) < ALIKE
             ):
                 meanings[letter] = Meaning(numbers[p], value / apart, numbers[q])
-    alone = _changed(scene, [share if k in own else 0.0 for k, share in enumerate(shares)])
     rest = {letter: value for letter, value in old.items() if letter not in meanings}
-    if any(abs(alone.get(letter, v) - v) > ALIKE * abs(v) for letter, v in rest.items()):
+
+    def apart(some: set[int]) -> bool:
+        """Whether numbers leave alone what no letter is."""
+        alone = _changed(scene, [share if k in some else 0.0 for k, share in enumerate(shares)])
+        return all(abs(alone.get(letter, v) - v) <= ALIKE * abs(v) for letter, v in rest.items())
+
+    if not apart(own):
+        free = {numbers[k] for k in own if apart({k})}
+        meanings = {
+            letter: one
+            for letter, one in meanings.items()
+            if one.key in free and (one.less is None or one.less in free)
+        }
+    return _elsewhere(scene, old) | meanings
+
+
+def _elsewhere(scene: Scene, old: Mapping[Letter, float]) -> dict[Letter, Meaning]:
+    """Return what letters are numbers of other sections of the scene: a key of a table, a unit behind it."""
+    found: list[tuple[Path, Key]] = []
+    for path, _, value in leaves(scene.doc):
+        key = _written(scene.doc, path, value)
+        if key is not None:
+            found.append((path, key))
+    doc = deepcopy(scene.doc)
+    for k, (path, key) in enumerate(found):
+        table = value_at(doc, path[:-1])
+        table[path[-1]] = _text(key.value * (1.0 + STEP * (k + 1)), key.unit)
+    try:
+        new = _given(record(understood(doc, scene.source)))
+    except TmmError:
         return {}
-    return meanings
+    meanings: dict[Letter, Meaning] = {}
+    for letter, value in old.items():
+        share = new.get(letter, value) / value - 1.0 if value else 0.0
+        near = round(share / STEP) - 1
+        if 0 <= near < len(found) and abs(share - STEP * (near + 1)) < ALIKE:
+            _, key = found[near]
+            meanings[letter] = Meaning(
+                key, value / (key.value / (IN_MM if key.unit == "mm" else 1.0))
+            )
+        elif abs(share) > ALIKE:
+            return {}
+    names: dict[Key, set[str]] = {}
+    for (_, name), one in meanings.items():
+        names.setdefault(one.key, set()).add(name)
+    return {letter: one for letter, one in meanings.items() if len(names[one.key]) == 1}
+
+
+def _written(doc: Document, path: Path, value: object) -> Key | None:
+    """Return a number of a section, as the file has it; None of what is none, or of a mechanism's own."""
+    if len(path) != 2 or path[0] in OWN or not isinstance(doc[str(path[0])], Mapping):
+        return None
+    text = f"{value!r} " if isinstance(value, float) else value if isinstance(value, str) else ""
+    told = WITH_UNIT.fullmatch(text)
+    if told is None or not float(told[1]):
+        return None
+    return Key(f"[{path[0]}]", str(path[1]), float(told[1]), told[2])
+
+
+def _text(value: float, unit: str) -> object:
+    return f"{value!r} {unit}" if unit else value
 
 
 def _given(project: Project) -> dict[Letter, float]:

@@ -62,8 +62,8 @@
  * @typedef {{k: Kind, v?: (number | null)[], row?: [number, number]}} Told
  * @typedef {{in: string, name: string, unit: string, by: number, pair?: [number, number], part?: number, rest?: string,
  *   less?: [string, string, number]}} SceneKey a number of the scene; the letter is `by` times it, less another first
- * @typedef {{l: string, n: string, u: string, by: number, v: number, slots: number[], plan?: string, key?: SceneKey}} Slider
- *   what can be changed, in SI; told in `u`, `by` times
+ * @typedef {{l: string, n: string, u: string, by: number, v: number, slots: number[], minus?: number[], plan?: string,
+ *   key?: SceneKey}} Slider what can be changed, in SI; told in `u`, `by` times; `minus`: what is its opposite
  * @typedef {[number, ["on" | "aside" | "from", number, number, number][], number?]} JointLimbs a joint, and how it is measured: along
  *   a line or aside from it, or from a centre; from which mark, the given length, its scale; of the crank's pin its pivot
  * @typedef {{size: number, more: number[], given: Record<string, Told>, kept: Record<string, Told>,

@@ -104,3 +104,52 @@ def test_ink_of_the_sheet_that_moved_is_hidden_and_drawn_anew(page_of: Begin) ->
     assert max(off) < FAR
     _as_given(page)
     assert page.locator(seen).count() == whole
+
+
+def test_points_of_an_indicator_diagram_and_its_cursor_follow_a_length(page_of: Begin) -> None:
+    """At a position both stand where Python has the point; as given they are where they were."""
+    page = page_of("engine", address="#crank:", viewport={"width": 1400, "height": 9000}).page
+    page.wait_for_selector("#crank[data-ready]")
+    page.locator("#crank .row").get_by_role("button", name=str(POSITION), exact=True).click()
+    for box in page.locator("#crank").get_by_role("checkbox").all():
+        box.check()
+    card = page.locator("#crank .card:has(.cursor)").first
+    card.scroll_into_view_if_needed()
+    card.locator(".cursor circle").first.wait_for()
+    made, _ = pages.on_sheets("engine", pages.language("engine"))
+    assert made.mechanism is not None
+    sheet = dense(made.mechanism).sheet  # type: ignore[union-attr]
+    log = sheet.construction
+    point = next(s.it for s in log.steps if s.it.key == ("indicator", "k"))
+    arm = next(mark for mark in log.given if mark.name == "l_{OA}")
+    longer = 1.06 * float(np.ravel(sheet.given[arm])[0])
+    at = [
+        execute(log, {**sheet.given, **own})[point][0, POSITION - 1]
+        for own in ({}, {m: longer for m in log.given if m.name == "l_{OA}"})
+    ]
+
+    def places() -> list[complex]:
+        spots = card.locator("svg").first.evaluate(PLACES, [point.slot, POSITION - 1])
+        return [complex(x, y) for x, y in spots]
+
+    (first, *_), before = places(), places()
+    page.locator(".lengths").evaluate("(one) => { one.open = true; }")
+    field = page.get_by_role("textbox", name="l_OA", exact=False)
+    field.fill(f"{1000 * longer:.6g}".replace(".", ","))
+    field.press("Enter")
+    card.scroll_into_view_if_needed()
+    way = np.conj(at[1] - at[0])
+    assert abs(way) > 1.0
+    np.testing.assert_allclose(places(), np.add(before, way), atol=FAR)
+    assert np.abs(np.subtract(before, first)).max() < FAR
+
+
+PLACES = """(svg, [slot, at]) => {
+  const all = [...svg.querySelectorAll(`path[data-of="${slot}"][data-at="${at}"]`)];
+  const dot = all.find((one) => /Z$/.test(one.getAttribute("d")));
+  const { x, y, width, height } = dot.getBBox();
+  const [u = 0, v = 0] = (dot.style.translate || "").split(" ").map(parseFloat);
+  const [cx, cy] = ["cx", "cy"].map((one) => Number(svg.querySelector(".cursor circle").getAttribute(one)));
+  return [[x + width / 2 + (u || 0), y + height / 2 + (v || 0)], [cx, cy]];
+}"""
+"""Where the dot of a point in a position is, and where the cursor stands, mm of the sheet, y downward."""

@@ -185,7 +185,8 @@ export function begunLengths(data, dense, show) {
 
 /** @param {Map<Slider, number>} values */
 function givenBySlots(values) {
-  return new Map([...values].flatMap(([slider, value]) => slider.slots.map((slot) => /** @type {[number, number]} */ ([slot, value]))));
+  const given = (/** @type {[Slider, number]} */ [slider, value]) => [...slider.slots.map((slot) => [slot, value]), ...(slider.minus ?? []).map((slot) => [slot, -value])];
+  return new Map(/** @type {[number, number][]} */ ([...values].flatMap(given)));
 }
 
 /** @param {Drawn | undefined} mark */
