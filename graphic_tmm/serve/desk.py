@@ -115,6 +115,11 @@ class Desk:
         scene.beside = beside
         self._begin(scene, data)
 
+    def draw_again(self, scene: Scene) -> None:
+        """Draw a scene once more that was not drawn to its end."""
+        if scene.kept.failed and scene.data is not None:
+            self._begin(scene, scene.data)
+
     def _begin(self, scene: Scene, data: bytes) -> None:
         """Begin to draw a scene; what is being drawn of it is of no use any more."""
         self._stop(scene)
@@ -137,12 +142,14 @@ class Desk:
     async def _drawn(self, scene: Scene, task: Task) -> None:
         """Draw a scene, its sheets first; tell every step of it."""
         version = hashed(task.data)
-        scene.kept.tell(busy=True, fresh=False, text_version=version)
+        scene.kept.tell(busy=True, fresh=False, failed="", text_version=version)
         first = scene.composition is None
         try:
             refused = await self._stages(scene, task)
         except (TooLong, Gone, Broken) as error:
-            refused = Refused((SceneFault(0, "", said_of(error, self.speech(task))),))
+            says = said_of(error, self.speech(task))
+            scene.kept.tell(ok=False, busy=False, errors=(), failed=says)
+            return
         if refused is not None:
             _refuse(scene.kept, version, with_lines(refused.faults, task.data))
             return

@@ -38,8 +38,9 @@ class KeptSheet(NamedTuple):
 class Kept:
     """A scene that is served.
 
-    ``text_version``: of the text that is drawn, or being drawn. ``errors``: of that text; the sheets are then
-    those of the last text that could be drawn, unless they are ``fresh``: of this one.
+    ``text_version``: of the text that is drawn, or being drawn. ``errors``: of that text; ``failed``: why it was
+    not drawn to its end though nothing in it may be wrong. The sheets are then those of the last text that could
+    be drawn, unless they are ``fresh``: of this one.
     """
 
     name: str
@@ -49,6 +50,7 @@ class Kept:
     busy: bool = False
     fresh: bool = False
     errors: tuple[SceneFault, ...] = ()
+    failed: str = ""
     warnings: tuple[str, ...] = ()
     sheets: tuple[KeptSheet, ...] = ()
     page: str | None = None
@@ -79,6 +81,7 @@ class Kept:
             "busy": self.busy,
             "fresh": self.fresh,
             "errors": [one._asdict() for one in self.errors],
+            "failed": self.failed,
             "warnings": list(self.warnings),
             "sheets": [one._asdict() for one in self.sheets],
             "page": self.page,

@@ -17,7 +17,7 @@ CLICKED = 20_000
 BEGINNING = 120.0
 """A process that draws has loaded what it needs by then, s."""
 DRAWING = 60.0
-"""A drawing, or the page of one, may take so long, s."""
+"""A drawing, or the page of one, may take so long, s of the processor; a page of forty plans takes 20."""
 JUDGING = 10.0
 """So may a text that is read, and changed by a form."""
 DOWNLOAD = 180.0

@@ -5,6 +5,7 @@
     /s/NAME/                the studio of a scene
     /s/NAME/events          how it stands, as it changes: event "state"
     /s/NAME/sheet/HASH.svg  a sheet, /s/NAME/page/HASH.html its page, while they are the ones of some state kept
+    /s/NAME/again           draws it once more that was not drawn to its end
     /s/NAME/form            its values as a form; to be set by sending it back
     /s/NAME/scheme          its mechanism as it is drawn, after what was done to it; written where it is whole
     /draw                   a paper on which a mechanism is drawn that no scene has yet
@@ -173,6 +174,7 @@ def application(desk: Desk, token: str, *, open: bool = False) -> ASGIApp:
         Route("/s/{name}/events", asked.events),
         Route("/s/{name}/sheet/{hash}.svg", asked.sheet),
         Route("/s/{name}/page/{hash}.html", asked.page),
+        Route("/s/{name}/again", asked.again, methods=["POST"]),
         Route("/s/{name}/form", asked.form),
         Route("/s/{name}/form", asked.change, methods=["POST"]),
         *scheme_routes(asked.answers),
@@ -220,6 +222,7 @@ class AnswerRoutes:
         scene = self._scene(request)
         if scene is None:
             return nothing()
+        self.desk.draw_again(scene)  # who loads it anew wants it
         task = Task(scene.data or b"", str(scene.file))
         (title,) = await self.answers.titles_of([task])
         shown = studio(
@@ -255,6 +258,14 @@ class AnswerRoutes:
     async def page(self, request: Request) -> Response:
         """The page of some state that is kept."""
         return self._kept(request, "text/html", FRAMED)
+
+    async def again(self, request: Request) -> Response:
+        """A scene drawn once more that was not drawn to its end."""
+        scene = self._scene(request)
+        if scene is None:
+            return nothing()
+        self.desk.draw_again(scene)
+        return Response(status_code=204)
 
     async def form(self, request: Request) -> Response:
         """The values of a scene's file."""

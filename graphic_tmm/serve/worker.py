@@ -21,6 +21,7 @@ from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from multiprocessing.connection import Connection
+from pathlib import Path
 from typing import Any, NamedTuple, TypeVar
 
 from graphic_tmm.errors import TRACEBACK, own_fault
@@ -34,6 +35,8 @@ PATIENCE = 5.0
 """s that a task may keep others waiting: three times what a sheet of the package's own scenes takes."""
 LAST = 1_000
 """The urgency of a task that has kept others waiting; everything else comes before it."""
+SLOW = 10
+"""A task may take so many times its seconds of the processor by the clock: others are at work, too."""
 LOOK = 0.1
 """So often, s, it is looked whether others wait."""
 QUIET, BUSY = 0.5, 10
@@ -89,7 +92,7 @@ class Worker:
         Raises
         ------
         TooLong
-            If it takes longer than ``limit``, s.
+            If it takes longer than ``limit``, s of the processor where the system tells those.
         Gone
             If the process ends in it (memory), or too many tasks wait.
         Broken
@@ -156,10 +159,13 @@ class Worker:
 
     def _await(self, line: Connection, asked: _Job) -> None:
         """Await an answer; raises TooLong beyond its limit, _Yields if others have waited too long for it."""
-        begun = time.monotonic()
-        while (spent := time.monotonic() - begun) < asked.limit:
-            if line.poll(min(LOOK, asked.limit - spent)):
+        begun, worked = time.monotonic(), _worked(self._process.pid)
+        limit = asked.limit if worked is None else SLOW * asked.limit
+        while (spent := time.monotonic() - begun) < limit:
+            if line.poll(min(LOOK, limit - spent)):
                 return
+            if worked is not None and (_worked(self._process.pid) or 0.0) - worked > asked.limit:
+                break
             patience = 0.0 if asked.urgency == LAST else PATIENCE
             if spent > patience and self._keeps_waiting(asked):
                 raise _Yields
@@ -206,6 +212,19 @@ class Worker:
                 os.killpg(process.pid, signal.SIGKILL)  # what it has begun itself, too
         process.kill()
         process.join(1.0)
+
+
+def _worked(process: int) -> float | None:
+    """Return how long a process has had the processor, s; None where the system does not tell."""
+    try:
+        told = Path(f"/proc/{process}/stat").read_text("utf-8").rpartition(")")[2].split()
+    except OSError:
+        return None
+    return sum(map(int, told[_TIMES])) / os.sysconf("SC_CLK_TCK")
+
+
+_TIMES = slice(11, 15)
+"""Where that stands behind the name, ticks: its own, the system's for it, and those of what it began."""
 
 
 def _track() -> None:

@@ -16,6 +16,7 @@ from support.served import SMALL, Browser, opened, run, small
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.write.svg import svg
 from graphic_tmm.scene.read import read
+from graphic_tmm.serve import desk as desks
 from graphic_tmm.serve import jobs
 from graphic_tmm.serve.kept import hashed
 from graphic_tmm.studio import composed_sheets
@@ -125,7 +126,8 @@ def test_a_page_that_fails_leaves_the_sheets_new_and_says_so(
             file.write_text(SMALL.replace("0.1 m", "0.12 m"), encoding="utf-8")
             failed = await browser.settled("small", lambda one: not one["ok"])
             assert failed["fresh"]
-            assert len(failed["errors"]) == 1
+            assert failed["errors"] == []  # nothing is wrong with what the file says
+            assert "fault of the program" in failed["failed"]
             assert failed["sheets"] != first["sheets"]
             assert failed["page"] == first["page"]
             file.write_text(SMALL.replace("0.3 m", "0.3 kg"), encoding="utf-8")
@@ -259,5 +261,35 @@ def test_what_changes_before_a_folder_is_watched_is_seen(
             looked.set()
             second = await browser.settled("small", lambda one: one["version"] > first["version"])
             assert second["text_version"] == hashed(file.read_bytes()) != first["text_version"]
+
+    run(serving)
+
+
+def test_what_took_too_long_is_no_fault_of_the_scene_and_is_drawn_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = small(tmp_path)
+
+    async def serving() -> None:
+        async with opened(file) as (browser, _):
+            await browser.settled("small", lambda one: one["page"])
+            monkeypatch.setattr(desks, "DRAWING", 0.0)
+            file.write_text(SMALL.replace("0.1 m", "0.12 m"), encoding="utf-8")
+            late = await browser.settled("small", lambda one: one["failed"])
+            assert late["errors"] == []
+            assert "took longer" in late["failed"]
+            monkeypatch.undo()
+            for ask in (
+                lambda: browser.ask("/s/small/again", "POST"),
+                lambda: browser.ask("/s/small/"),  # loaded anew
+            ):
+                assert (await ask()).status in (200, 204)
+                again = await browser.settled("small", lambda one: one["ok"] and not one["busy"])
+                assert again["failed"] == ""
+                assert await fetched(browser, "small", again) == drawn(file)
+                monkeypatch.setattr(desks, "DRAWING", 0.0)
+                file.write_text(SMALL.replace("0.1 m", "0.13 m"), encoding="utf-8")
+                await browser.settled("small", lambda one: one["failed"])
+                monkeypatch.undo()
 
     run(serving)

@@ -44,6 +44,22 @@ def test_what_takes_too_long_is_ended_and_the_next_begins_anew() -> None:
     run(serving)
 
 
+@pytest.mark.skipif(not os.path.exists("/proc/self/stat"), reason="the system does not tell it")
+def test_a_limit_is_of_the_processor_and_not_of_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+    """On a computer that others use too, what is drawn may wait for its turn."""
+    monkeypatch.setattr(workers, "SLOW", 1000)
+
+    async def serving() -> None:
+        async with working() as worker:
+            first = await worker.ask(os.getpid, limit=30)
+            await worker.ask(time.sleep, 0.6, limit=0.3)
+            assert await worker.ask(os.getpid, limit=30) == first
+            with pytest.raises(TooLong):
+                await worker.ask(sum, range(10**12), limit=0.3)
+
+    run(serving)
+
+
 def test_what_breaks_is_told_and_the_process_stays() -> None:
     async def serving() -> None:
         async with working() as worker:

@@ -1,5 +1,6 @@
 import { element } from "../../page/web/dom.js";
 
+/** @typedef {import("./types.js").State} State */
 /** @typedef {import("./types.js").Words} Words */
 
 /** The page of the scene in a frame: made when it is looked at first, made anew behind the one before it. */
@@ -7,8 +8,9 @@ export class PageFrame {
   /**
    * @param {Words} words
    * @param {string} place where it is to begin: the part of its address behind #
+   * @param {() => void} again has it drawn once more
    */
-  constructor(words, place) {
+  constructor(words, place, again) {
     this.words = words;
     this.begin = place;
     /** The page that there is, and whether somebody looks at it. */
@@ -19,7 +21,11 @@ export class PageFrame {
     /** @type {HTMLIFrameElement | null} */
     this.next = null;
     this.nothing = element("p", { class: "hint" }, words["no page"] ?? "");
-    this.element = element("div", { class: "frame" }, this.nothing);
+    this.again = element("button", { type: "button", class: "again" }, words["again"] ?? "");
+    this.again.addEventListener("click", again);
+    this.old = element("p", { class: "old" }, element("span", {}, words["page old"] ?? ""), this.again);
+    this.old.hidden = true;
+    this.element = element("div", { class: "frame" }, this.old, this.nothing);
   }
 
   /** The place in the page that is looked at. */
@@ -28,13 +34,14 @@ export class PageFrame {
   }
 
   /**
-   * Take notice of a page.
-   * @param {string | null} hash
-   * @param {boolean} coming whether there will be one, if there is none
+   * Take notice of a page; where it could not be made anew it says that it is of before.
+   * @param {State} state
    */
-  show(hash, coming) {
-    this.nothing.textContent = this.words[coming ? "no page" : "page failed"] ?? "";
-    this.hash = hash ?? this.hash;
+  show({ page, ok, busy, failed }) {
+    this.nothing.textContent = this.words[ok || busy ? "no page" : "page failed"] ?? "";
+    this.hash = page ?? this.hash;
+    this.old.hidden = ok || busy || this.hash === "";
+    this.again.hidden = failed === "";
     this.load();
   }
 

@@ -32,6 +32,7 @@ function card(name, title) {
 /** @param {State} state */
 function stands(state) {
   if (state.errors.length > 0) return filled(words["scene faults"] ?? "", { n: state.errors.length });
+  if (state.failed !== "" && !state.fresh) return filled(words["failed"] ?? "", { why: state.failed });
   if (state.sheets.length === 0) return words["waiting"] ?? "";
   return words["fine"] ?? "";
 }

@@ -9,7 +9,7 @@ import { Memory } from "./scheme/memory.js";
 import { PhotoCheck } from "./photo-check.js";
 import { Sheets } from "./sheets.js";
 import { tabList } from "./tabs.js";
-import { about, follow, schemeAfter } from "./wire.js";
+import { about, drawAgain, follow, schemeAfter } from "./wire.js";
 
 /** @typedef {import("./types.js").State} State */
 /** @typedef {import("./types.js").Studio} Studio */
@@ -36,7 +36,7 @@ let lost = false;
 let stood = "";
 
 const sheets = new Sheets(words);
-const frame = new PageFrame(words, place);
+const frame = new PageFrame(words, place, drawAgain);
 const values = new Values(
   words,
   scene.fixed,
@@ -59,6 +59,11 @@ let schemed = "";
 let looked = "";
 const faults = new Faults(words, (key) => values.has(key), (key) => values.go(key));
 
+const again = element("button", { type: "button", class: "again" }, words["again"] ?? "");
+again.addEventListener("click", drawAgain);
+again.hidden = true;
+told.after(again);
+
 /** Say something that is read aloud as well. @param {string} text */
 function tell(text) {
   if (told.textContent !== text) told.textContent = text;
@@ -70,6 +75,7 @@ function standing() {
   if (state === null) return "";
   if (state.busy) return "drawing";
   if (state.ok) return "drawn";
+  if (state.failed !== "") return state.fresh ? "failed page" : "failed";
   if (state.fresh) return "faults page";
   return state.sheets.length > 0 ? "faults" : "faults first";
 }
@@ -77,19 +83,20 @@ function standing() {
 /** Say how the scene stands, if it is another way than before. */
 function tellState() {
   const stands = standing();
-  const text = filled(words[stands] ?? "", { n: state?.errors.length ?? 0 });
+  const text = filled(words[stands] ?? "", { n: state?.errors.length ?? 0, why: state?.failed ?? "" });
   if (text !== stood) tell(text);
   stood = text;
   document.body.classList.toggle("lost", stands === "lost");
   document.body.classList.toggle("busy", stands === "drawing");
-  document.body.classList.toggle("faulty", state?.ok === false);
+  document.body.classList.toggle("faulty", (state?.errors.length ?? 0) > 0);
+  again.hidden = stands !== "failed" && stands !== "failed page";
 }
 
 /** @param {State} now */
 function hear(now) {
   state = now;
   sheets.show(now.sheets);
-  frame.show(now.page, now.ok || now.busy);
+  frame.show(now);
   faults.show(now.errors, now.warnings);
   values.follow(now.text_version);
   photo.follow(now.text_version);

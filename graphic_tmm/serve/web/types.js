@@ -5,7 +5,8 @@
  * @typedef {{line: number, key: string, text: string, source?: string, place?: string}} Fault a fault of the file, with its line; place: its key in words
  * @typedef {{name: string, hash: string, width: number, height: number}} Sheet its size in mm
  * @typedef {{version: number, text_version: string, ok: boolean, busy: boolean, fresh: boolean, errors: Fault[],
- *   warnings: string[], sheets: Sheet[], page: string | null, name?: string}} State fresh: the sheets are the text's
+ *   failed: string, warnings: string[], sheets: Sheet[], page: string | null, name?: string}} State fresh: the sheets are the text's; failed: why
+ *   it was not drawn to its end though nothing may be wrong in it
  * @typedef {{key: string, label: string, place: string, text: string, written: boolean, kind: string, unit: string,
  *   choices: string[], default: string, says: string, wanted: boolean}} Field
  * @typedef {{title: string, says: string, there: boolean, fields: Field[]}} Group

@@ -55,6 +55,11 @@ export function follow(address, hear, linked) {
   begin();
 }
 
+/** Have the scene drawn once more. */
+export function drawAgain() {
+  void fetch("again", { method: "POST", headers: { "Content-Type": "application/json" } }).catch(() => {});
+}
+
 /**
  * Return the values of the scene; null where there are none to set, or nothing came back.
  * @returns {Promise<Form | null>}

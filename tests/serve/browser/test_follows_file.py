@@ -92,8 +92,22 @@ def test_a_page_that_fails_is_not_said_of_the_sheets(
     first = studio.shown()
     studio.told("Drawn as the file says.")
     monkeypatch.setattr(jobs, "paged", json.loads)  # which takes no task
+    studio.page.get_by_role("tab", name="Plans step by step").click()
+    studio.page.locator("iframe:not(.coming)").wait_for()
+    old = studio.page.locator(".old")
+    expect(old).to_be_hidden()
     saved(scene, SMALL.replace("0.1 m", "0.12 m"))
-    studio.told("Faults: 1. The sheets are as the file says, the page is not.")
+    expect(studio.page.locator("#told")).to_contain_text("their page was not made")
+    expect(studio.page.locator(".faults .fault")).to_have_count(0)
+    expect(old).to_contain_text("This page is out of date")
+    assert serious(studio.page) == []
+    hash_ = studio.page.locator("iframe").get_attribute("data-hash")
+    monkeypatch.undo()
+    old.get_by_role("button", name="Draw again").click()
+    studio.page.locator(f"iframe:not(.coming):not([data-hash='{hash_}'])").wait_for()
+    expect(old).to_be_hidden()
+    studio.told("Drawn as the file says.")
+    studio.page.get_by_role("tab", name="Sheets").click()
     assert studio.shown() != first
 
 
