@@ -219,6 +219,32 @@ def test_a_slider_that_weighs_has_its_centre_at_its_pin() -> None:
     assert again["says"] == "link 2 has a mass, but no mass centre: put it by the tool"
 
 
+def test_from_the_first_mass_that_is_given_weights_and_inertia_act() -> None:
+    """A scene that has masses, or says what acts, is left as it is, until a person chooses."""
+    file = Path("scheme.toml")
+    first = scheme(b"", file, SchemeAct(sketch=crank_and_slider()), EN)
+    assert not {"effects.gravity", "effects.inertia"} & {one["key"] for one in first["fields"]}
+    made = scheme(first["text"].encode(), file, SchemeAct(typed={"link 3, mass": "200 N"}), EN)
+    assert made["text"].endswith("\n[effects]\ngravity = true\ninertia = true\n")
+    told = {one["key"]: (one["label"], one["text"], one["choices"]) for one in made["fields"]}
+    assert told["effects.gravity"] == ("weights of the links act", "true", ["true", "false"])
+    still = SchemeAct(typed={"effects.gravity": "false"})
+    chosen = scheme(made["text"].encode(), file, still, EN)["text"]
+    again = scheme(chosen.encode(), file, SchemeAct(typed={"link 2, mass": "2"}), EN)
+    assert "gravity = false\ninertia = true\n" in again["text"]
+    silent = made["text"].partition("\n[effects]")[0]
+    more = scheme(silent.encode(), file, SchemeAct(typed={"link 2, mass": "2"}), EN)
+    assert "[effects]" not in more["text"]
+    assert {one["key"]: one["text"] for one in more["fields"]}["effects.gravity"] == "false"
+    asked = scheme(silent.encode(), file, SchemeAct(section="forces"), EN)["text"]
+    assert "[effects]\ngravity = true\ninertia = true\n" in asked
+
+
+def test_which_way_a_drive_turns_is_shown_where_nothing_says_it() -> None:
+    made = scheme(b"", Path("scheme.toml"), SchemeAct(sketch=crank_and_slider()), EN)
+    assert {one["key"]: one["text"] for one in made["fields"]}["drive.turns"] == "counterclockwise"
+
+
 def test_a_mass_centre_that_is_put_taken_elsewhere_or_away_is_so_in_the_scene() -> None:
     file = SHEETS / "crank-rocker" / "scene.toml"
     sketch = shown(file)["sketch"]

@@ -30,6 +30,7 @@ from graphic_tmm.scene.renamed import exchanged
 from graphic_tmm.serve.edit import Missing, edited, new_faults
 from graphic_tmm.serve.form import form
 from graphic_tmm.serve.plainly import fault_text, plainly
+from graphic_tmm.serve.scheme.effects import FORCES, effects_on, weighs
 from graphic_tmm.serve.scheme.fields import scheme_fields
 from graphic_tmm.serve.scheme.loads import load_signs
 from graphic_tmm.serve.scheme.sections import offered, with_section
@@ -103,6 +104,8 @@ def scheme(
         asked = asked._replace(at=stands.at[0])
     if asked.section:
         text = with_section(text, asked.section, asked.typed, file, speech)
+        if asked.section == FORCES and weighs(doc):
+            text = edited(text.encode(), effects_on(doc), file).decode()
     elif asked.typed:
         text = edited(text.encode(), asked.typed, file).decode()
     if not text or "link" not in parsed(text.encode(), file)[1]:
@@ -162,7 +165,8 @@ def _begun(speech: Speech) -> Document:
 def _completed(typed: Mapping[str, str], text: str, doc: Document, file: File) -> Mapping[str, str]:
     """Return values as they were typed with what goes without saying.
 
-    A bare number has the unit of its field; what weighs and has one point has its mass centre there.
+    A bare number has the unit of its field; what weighs and has one point has its mass centre there. With the
+    first mass weights and inertia act.
     """
     fields = {one.key: one for group in form(text.encode(), file) for one in group.fields}
     whole = dict(typed)
@@ -172,6 +176,7 @@ def _completed(typed: Mapping[str, str], text: str, doc: Document, file: File) -
         whole[key] = with_unit(value, fields[key], doc)
         match fields[key].path:
             case ("link", int(k), "mass") if value.strip():
+                whole |= {} if weighs(doc) else effects_on(doc)
                 points = list(doc["link"][k].get("points", ()))
                 if len(points) == 1 and "centre" not in doc["link"][k]:
                     whole[key.removesuffix("mass") + "centre"] = points[0]

@@ -16,6 +16,7 @@ from graphic_tmm.scene.sections import LENGTHS
 from graphic_tmm.serve.form import Field, choices_in, form
 from graphic_tmm.serve.plainly import clause
 from graphic_tmm.serve.scheme.drives import tables_of_drives
+from graphic_tmm.serve.scheme.effects import effect_fields
 from graphic_tmm.serve.scheme.units import unit_shown
 
 OF_LINKS = ("name", "mass", "J")
@@ -34,6 +35,10 @@ def scheme_fields(data: bytes, doc: Document, file: File, speech: Speech) -> lis
             _json(one, "given", label, text, doc, speech)
             for one, label in _given(fields, doc, speech)
         ),
+        *(
+            _json(one, "given", speech(label), text, doc, speech)
+            for one, label in effect_fields(fields, doc)
+        ),
     ]
     return found
 
@@ -45,19 +50,25 @@ def _json(
     link = doc["link"][place[1]].get("number") if place[0] == "link" else None
     if place[0] == "drive" and isinstance(doc.get("drive"), list):
         link = tables_of_drives(doc)[int(place[1])].get("link")
+    choices = choices_in(field, speech.language)
     named = field.text in as_table(doc.get(LENGTHS)) and len(uses(text, field.path)) > 1
     return {
         "key": field.key,
         "kind": kind,
         "label": label,
-        "text": field.text,
+        "text": field.text or _holding(field, choices),
         "link": link,
         "name": f"{LENGTHS}.{field.text}" if named else "",
-        "choices": choices_in(field, speech.language),
+        "choices": choices,
         "placeholder": field.default,
         "unit": unit_shown(field, doc, speech.language),
         "says": speech(field.says),
     }
+
+
+def _holding(field: Field, choices: list[str]) -> str:
+    """Return the choice that holds where none is written: the default, in a language the first."""
+    return field.default if field.default in choices else next(iter(choices), "")
 
 
 def _lengths(fields: list[Field], doc: Document) -> Iterator[tuple[Field, str]]:

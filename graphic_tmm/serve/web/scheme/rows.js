@@ -11,9 +11,10 @@ export class Row {
   /**
    * @param {SchemeField} field
    * @param {boolean} fixed
+   * @param {(choice: string) => string} say what a choice is called
    * @param {{typed: (row: Row) => void, focused: (field: SchemeField) => void, refused: () => void}} to
    */
-  constructor(field, fixed, to) {
+  constructor(field, fixed, say, to) {
     this.field = field;
     this.to = to;
     /** What was sent last, and of how many acts the answers are missing. */
@@ -26,7 +27,7 @@ export class Row {
     const choice = field.choices.length > 0;
     const made = choice ? element("select", { "data-key": field.key }) : element("input", { "data-key": field.key, autocomplete: "off", spellcheck: "false" });
     this.input = /** @type {HTMLInputElement} */ (made);
-    if (choice) made.append(...field.choices.map((one) => element("option", { value: one }, one)));
+    if (choice) made.append(...field.choices.map((one) => element("option", { value: one }, say(one))));
     this.input.value = field.text;
     this.input.disabled = fixed;
     this.label = element("span");

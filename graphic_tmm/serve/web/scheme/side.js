@@ -16,6 +16,9 @@ import { bodiesAt, bodyOf, frameOf } from "./sketch.js";
 const PLAIN = /^[+\-−]?[\d.,]+\s*\p{L}*$/u;
 const GLUED = /\d\s*(\p{L}+)[+\-−][\d.,]+\s*\1\s*$/u;
 
+/** What the two choices of a switch are called. @type {Record<string, string>} */
+const SWITCHED = { true: "on", false: "off" };
+
 export class Side {
   /** @param {Editor} editor */
   constructor(editor) {
@@ -125,7 +128,7 @@ export class Side {
       there.set(field);
       return there;
     }
-    return new Row(field, editor.fixed, {
+    return new Row(field, editor.fixed, (choice) => editor.say(SWITCHED[choice] ?? choice), {
       typed: (row) => this.typed(row),
       refused: () => this.complain(),
       focused: ({ link }) => bodyOf(editor.sketch, link ?? -1) && editor.paper.show(editor.sketch, { number: link ?? undefined }),
