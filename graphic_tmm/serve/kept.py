@@ -38,9 +38,9 @@ class KeptSheet(NamedTuple):
 class Kept:
     """A scene that is served.
 
-    ``text_version``: of the text that is drawn, or being drawn. ``errors``: of that text; ``failed``: why it was
-    not drawn to its end though nothing in it may be wrong. The sheets are then those of the last text that could
-    be drawn, unless they are ``fresh``: of this one.
+    ``text_version``: of the text that is drawn, or being drawn. ``errors``: of that text; ``failed``: why it
+    was not drawn to its end though nothing in it may be wrong. The sheets are then those of the last text that
+    could be drawn, unless they are ``fresh``: of this one.
     """
 
     name: str

@@ -52,6 +52,7 @@ WORDS: dict[str, str] = {
     "failed": said("Not drawn: {why}."),
     "failed page": said("The sheets are as the file says; their page was not made: {why}."),
     "again": said("Draw again"),
+    "own put": said("Put into the scene; the Scheme tab takes it back."),
     "page old": said("This page is out of date: it is of the file as it was before."),
     "faults head": said("What is wrong"),
     "warnings head": said("What to know"),

@@ -11,6 +11,7 @@ LIVE: dict[str, str] = {
     ),
     "as given": said("As given"),
     "copy keys": said("Copy as TOML"),
+    "put keys": said("Put into my scene"),
     "copied": said("Copied."),
     "of several": said(
         "{letter} is not a single number of [frame], [[link]] or [drive]: it is left out."

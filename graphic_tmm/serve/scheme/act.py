@@ -33,6 +33,7 @@ from graphic_tmm.serve.plainly import fault_text, plainly
 from graphic_tmm.serve.scheme.effects import FORCES, effects_on, weighs
 from graphic_tmm.serve.scheme.fields import scheme_fields
 from graphic_tmm.serve.scheme.loads import load_signs
+from graphic_tmm.serve.scheme.own_values import with_own_values
 from graphic_tmm.serve.scheme.sections import offered, with_section
 from graphic_tmm.serve.scheme.sketches import (
     BLANK,
@@ -62,7 +63,7 @@ class SchemeAct(NamedTuple):
     ``sketch``: what was drawn, None where nothing was. ``letters``, ``numbers``: letters and links that are
     called otherwise now, by what they were. ``typed``: values by key, written as in the form; ``scale``: the
     first of them is the scale of all; ``section``: they are those of one more section. ``at``: where the drive
-    stands; ``turn``: so many places of a turn.
+    stands; ``turn``: so many places of a turn. ``own``: values that were changed in the page, as TOML.
     """
 
     sketch: Sketch | None = None
@@ -73,6 +74,7 @@ class SchemeAct(NamedTuple):
     at: float | None = None
     turn: int = 0
     section: str = ""
+    own: str = ""
 
 
 def scheme(
@@ -102,20 +104,26 @@ def scheme(
             stands = standing_of(sketch, doc)
         text = scene_text(text, doc, sketch, stands, file, scaled=asked.scale)
         asked = asked._replace(at=stands.at[0])
-    if asked.section:
-        text = with_section(text, asked.section, asked.typed, file, speech)
-        if asked.section == FORCES and weighs(doc):
-            text = edited(text.encode(), effects_on(doc), file).decode()
-    elif asked.typed:
-        text = edited(text.encode(), asked.typed, file).decode()
+    text = _with_values(text, doc, asked, file, speech)
     if not text or "link" not in parsed(text.encode(), file)[1]:
         return _answer(BLANK, standing_of(BLANK, doc), speech)
     found = _drawn(text, asked, file, speech)
     errors = new_faults(data, text.encode(), file, missing) if data else ()
-    if asked.section and errors:
+    if (asked.section or asked.own) and errors:
         raise SceneError(str(file), errors)
     told = [fault_text(one, speech) for one in errors]
     return found | {"errors": told, "shift": [shift.real, shift.imag]}
+
+
+def _with_values(text: str, doc: Document, asked: SchemeAct, file: File, speech: Speech) -> str:
+    """Return a scene's text with what was typed: a section, values of its page, or values by key."""
+    if asked.own:
+        return with_own_values(text, asked.own, file)
+    typed = asked.typed
+    if asked.section:
+        text = with_section(text, asked.section, typed, file, speech)
+        typed = effects_on(doc) if asked.section == FORCES and weighs(doc) else {}
+    return edited(text.encode(), typed, file).decode() if typed else text
 
 
 def _renamed(data: bytes, asked: SchemeAct, file: File) -> bytes:
@@ -144,7 +152,9 @@ def drawing_of(told: Mapping[str, Any]) -> SchemeAct | None:
         count = min(int(turn) if turn is not None else 0, MOST_PLACES)
     except (AttributeError, TypeError, ValueError):
         return None
-    section = told.get("section")
+    section, own = (
+        one if isinstance(one, str) else "" for one in map(told.get, ("section", "own"))
+    )
     return SchemeAct(
         sketch,
         names[0],
@@ -153,7 +163,8 @@ def drawing_of(told: Mapping[str, Any]) -> SchemeAct | None:
         told.get("scale") is True,
         at,
         max(count, 0),
-        section if isinstance(section, str) else "",
+        section,
+        own,
     )
 
 

@@ -9,9 +9,12 @@ export class PageFrame {
    * @param {Words} words
    * @param {string} place where it is to begin: the part of its address behind #
    * @param {() => void} again has it drawn once more
+   * @param {((values: string) => Promise<string>) | null} put takes values that were changed in it, as TOML, and
+   *   returns what is said of that; null where they cannot be put anywhere
    */
-  constructor(words, place, again) {
+  constructor(words, place, again, put) {
     this.words = words;
+    this.put = put;
     this.begin = place;
     /** The page that there is, and whether somebody looks at it. */
     this.hash = "";
@@ -75,6 +78,20 @@ export class PageFrame {
     if (theme !== undefined && inner) inner.dataset["theme"] = theme;
   }
 
+  /**
+   * Let the page offer to put what is changed in it into the scene; it tells that by an event, and hears by one.
+   * @param {Document | null} page
+   */
+  offer(page) {
+    const { put } = this;
+    if (page === null || put === null) return;
+    page.documentElement.dataset["scene"] = "";
+    page.addEventListener("own values", async (event) => {
+      const says = await put(String(/** @type {CustomEvent} */ (event).detail));
+      page.dispatchEvent(new CustomEvent("own values put", { detail: says }));
+    });
+  }
+
   /** @param {HTMLIFrameElement} made */
   swap(made) {
     if (made !== this.next) return;
@@ -89,6 +106,7 @@ export class PageFrame {
     made.className = "";
     this.nothing.hidden = true;
     this.dress();
+    this.offer(made.contentDocument);
     if (focused) made.contentWindow?.focus();
   }
 }

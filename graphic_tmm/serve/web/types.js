@@ -40,7 +40,7 @@
  *   at: number | null, sweep: Sweep | null, loads: LoadSign[], fields: SchemeField[], sections: OfferedSection[], errors: string[], turn: Turn | null, shift: [number, number]}} SchemeAnswer
  *   text: the scene, null while something is missing; says: what; shift: of the origin, m
  * @typedef {{text: string, sketch?: Sketch | null, letters?: Record<string, string>, numbers?: Record<string, number>,
- *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number, section?: string,
+ *   typed?: Record<string, string>, scale?: boolean, at?: number | null, turn?: number, section?: string, own?: string,
  *   version?: string, back?: boolean}} SchemeAct back: to the text that was
  * @typedef {{answer: SchemeAnswer | null, errors: string[], status: number, newer?: SchemeAnswer}} SchemeTold status 409: the file
  *   has changed; newer: what it was then, before the act was done on that, if it was

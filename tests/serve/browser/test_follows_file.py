@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 from support.served import SMALL, small
-from support.studios import Tab, expect, serving
+from support.studios import Tab, expect, serious, serving
 
 from graphic_tmm.serve import jobs
 
@@ -166,3 +166,27 @@ def test_a_lost_connection_is_told_and_mended(tmp_path: Path, tab_of: Callable[.
     with serving(tmp_path, port):
         assert tab.another(first) != first
         tab.told("Drawn as the file says.")
+
+
+def test_lengths_changed_in_the_page_are_put_into_the_scene_and_taken_back(
+    studio: Tab, scene: Path
+) -> None:
+    page = studio.page
+    scene.write_text(SMALL.replace('"0.3 m"', '"0.3 m"  '), encoding="utf-8")
+    page.get_by_role("tab", name="Plans step by step").click()
+    inner = page.frame_locator("iframe:not(.coming)")
+    inner.get_by_role("tab", name="Crank").click()
+    inner.locator(".lengths summary").first.click()
+    put = inner.get_by_role("button", name="Put into my scene")
+    expect(put).to_be_disabled()
+    field = inner.get_by_role("textbox", name="l_AB, value")
+    field.fill("320")
+    field.press("Enter")
+    put.click()
+    expect(inner.locator(".lengths .told")).to_contain_text("Put into the scene")
+    text = scene.read_text("utf-8")
+    assert text == SMALL.replace('"0.3 m"', '"0.32 m"  ')
+    page.get_by_role("tab", name="Scheme").click()
+    page.locator("[data-tool=undo]").click()
+    page.locator(".scheme[aria-busy=false]").wait_for()
+    assert scene.read_text("utf-8") == SMALL.replace('"0.3 m"', '"0.3 m"  ')

@@ -31,10 +31,13 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
   const acts = { change, release: () => release(values), refuse: (/** @type {string} */ text) => say_(filled(say("given no number"), { text })) };
   const rows = sliders.map((slider) => givenRow(slider, reachOf(slider, sliders), decimal, filled(say("value of"), { letter: slider.n }), acts));
   const [given, copy] = [button(say("as given"), restore), button(say("copy keys"), copied)];
-  copy.disabled = true;
+  const put = button(say("put keys"), () => document.dispatchEvent(new CustomEvent("own values", { detail: keysNow() })));
+  put.className = "put";
+  put.disabled = copy.disabled = true;
+  document.addEventListener("own values put", (event) => say_(String(/** @type {CustomEvent} */ (event).detail)));
   const text = /** @type {HTMLTextAreaElement} */ (element("textarea", { class: "keys", readonly: "", hidden: "", "aria-label": "TOML", rows: "6" }));
   const list = element("div", { class: "givens" }, ...rows.map((row) => row.element));
-  const made = element("details", { class: "lengths" }, element("summary", {}, say("givens")), element("p", { class: "how" }, say("how changed")), element("div", { class: "bar" }, given, copy), told, list, text);
+  const made = element("details", { class: "lengths" }, element("summary", {}, say("givens")), element("p", { class: "how" }, say("how changed")), element("div", { class: "bar" }, given, copy, put), told, list, text);
 
   /**
    * @param {Slider} slider
@@ -57,18 +60,22 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
       values.clear();
       for (const [one, held] of before) values.set(one, held);
     }
-    copy.disabled = values.size === 0;
+    put.disabled = copy.disabled = values.size === 0;
   }
 
   function restore() {
     values.clear();
     take(values, null);
     rows.forEach((row, n) => row.set(sliders[n]?.v ?? 0, false));
-    text.hidden = copy.disabled = true;
+    text.hidden = put.disabled = copy.disabled = true;
+  }
+
+  function keysNow() {
+    return tomlOf(sliders, values, say("of several"));
   }
 
   function copied() {
-    text.value = tomlOf(sliders, values, say("of several"));
+    text.value = keysNow();
     text.hidden = false;
     text.select();
     const sayOf = (/** @type {boolean} */ there) => (there ? say_(say("copied")) : undefined);
