@@ -15,8 +15,6 @@ WORDS: dict[str, str] = {
     "degree back": said("1° back"),
     "leap on": said("30° on"),
     "leap back": said("30° back"),
-    "turn begin": said("To the beginning of the turn"),
-    "turn end": said("To its end"),
     "speed": said("Speed"),
     "a second": said("°/s"),
     "shown": said("What is seen"),
@@ -134,7 +132,6 @@ ENDS: dict[str, str] = {
     "degree back": said("A step back"),
     "leap on": said("30 steps on"),
     "leap back": said("30 steps back"),
-    "turn begin": said("To the beginning of the row"),
     "a second": said("steps/s"),
 }
 """What is said otherwise of a row that is no whole turn."""

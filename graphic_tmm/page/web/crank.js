@@ -58,12 +58,14 @@ function fill(room, data, dense, state, packed) {
   const why = element("p", { class: "why", role: "status" });
   const positions = positionButtons(dense, stand);
   const choice = choices(say("shown"), cards, chosen, show);
-  const bar = element("div", { class: "bar" }, ...parts, angle);
-  const row = element("div", { class: "row", role: "group", "aria-label": say("position") }, `${say("position")} `, ...positions);
-  const grid = element("div", { class: "cards" });
-  for (const card of cards) (card.leads ? room : grid).append(card.figure);
+  const bar = element("div", { class: "bar" }, ...parts, angle, range);
+  const row = element("div", { class: "row", role: "group", "aria-label": say("position") }, ...positions);
+  const grid = element("div", { class: "cards" }, choice);
+  const beside = element("div", { class: "stand" });
+  for (const card of cards) (card.leads ? beside : grid).append(card.figure);
   const seen = watched(cards, show);
-  room.append(element("div", { class: "tools" }, bar, range, row, choice, ...(lengths === null ? [] : [lengths.panel])), grid);
+  beside.append(element("div", { class: "tools" }, bar, row, ...(lengths === null ? [] : [lengths.panel])));
+  room.append(beside, grid);
   /** @type {(turn: number, pin?: import("./types.js").Complex | null) => void} */
   let hold = () => {};
   const lead = cards.find((card) => card.leads !== null);
@@ -127,8 +129,8 @@ function fill(room, data, dense, state, packed) {
     ArrowDown: step(-1),
     PageUp: step(LEAP),
     PageDown: step(-LEAP),
-    Home: () => stand(0),
-    End: () => stand(dense.whole - 1),
+    Home: () => room.scrollTo({ top: 0 }),
+    End: () => room.scrollTo({ top: room.scrollHeight }),
     " ": () => engine.toggle(),
   });
 }

@@ -22,8 +22,6 @@ export const KEYS = {
     ["← ↓", "degree back"],
     ["PgUp", "leap on"],
     ["PgDn", "leap back"],
-    ["Home", "turn begin"],
-    ["End", "turn end"],
     ["space", "turn on"],
   ],
   sheets: [

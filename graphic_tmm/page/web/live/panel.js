@@ -27,7 +27,8 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
   /** @type {Map<Slider, number>} */
   const values = new Map();
   const say = (/** @type {string} */ key) => words[key] ?? key;
-  const told = element("p", { class: "told", role: "status" });
+  // how it is done, until there is something else to say, stands in its place: nothing moves
+  const told = element("p", { class: "told", role: "status" }, say("how changed"));
   const acts = { change, release: () => release(values), refuse: (/** @type {string} */ text) => say_(filled(say("given no number"), { text })) };
   const rows = sliders.map((slider) => givenRow(slider, reachOf(slider, sliders), decimal, filled(say("value of"), { letter: slider.n }), acts));
   const [given, copy] = [button(say("as given"), restore), button(say("copy keys"), copied)];
@@ -37,7 +38,7 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
   document.addEventListener("own values put", (event) => say_(String(/** @type {CustomEvent} */ (event).detail)));
   const text = /** @type {HTMLTextAreaElement} */ (element("textarea", { class: "keys", readonly: "", hidden: "", "aria-label": "TOML", rows: "6" }));
   const list = element("div", { class: "givens" }, ...rows.map((row) => row.element));
-  const made = element("details", { class: "lengths" }, element("summary", {}, say("givens")), element("p", { class: "how" }, say("how changed")), element("div", { class: "bar" }, given, copy, put), told, list, text);
+  const made = element("details", { class: "lengths" }, element("summary", {}, say("givens")), told, list, element("div", { class: "bar" }, given, copy, put), text);
 
   /**
    * @param {Slider} slider
@@ -85,7 +86,8 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
 
   /** @param {string} sentence */
   function say_(sentence) {
-    if (told.textContent !== sentence) told.replaceChildren(...typeset(sentence));
+    const says = sentence || say("how changed");
+    if (told.textContent !== says) told.replaceChildren(...typeset(says));
   }
 
   /** @param {Map<number, number>} lengths by slots, as they are dragged */

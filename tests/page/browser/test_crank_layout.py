@@ -1,0 +1,87 @@
+"""The room of the crank in a browser: what belongs together is on the screen together, the wheel scrolls everywhere."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+from support.browser import FRAMES, Opened
+
+Begin = Callable[..., Opened]
+ALONE, IN_STUDIO = {"width": 1280, "height": 800}, {"width": 896, "height": 711}
+"""A usual window, and what the studio leaves of it beside its values."""
+BOX = """(one) => { const { left, top, right, bottom } = one.getBoundingClientRect();
+  return [left, top, right, bottom]; }"""
+SCROLLED = """() => [...document.querySelectorAll("#crank, #crank *")].reduce((sum, one) => sum + one.scrollTop, 0)"""
+
+
+def _crank(page_of: Begin, name: str, window: dict[str, int], address: str = "#crank:") -> Any:
+    page = page_of(name, "en", address, viewport=window).page
+    page.wait_for_selector("#crank[data-ready]")
+    page.evaluate(FRAMES)
+    return page
+
+
+def _boxes(page: Any, *chosen: str) -> list[list[float]]:
+    return [page.locator(one).first.evaluate(BOX) for one in chosen]
+
+
+@pytest.mark.parametrize("window", [ALONE, IN_STUDIO], ids=["alone", "studio"])
+def test_a_length_and_the_velocities_that_it_changes_are_seen_together(
+    page_of: Begin, window: dict[str, int]
+) -> None:
+    page = _crank(page_of, "crank-rocker", window)
+    page.locator(".lengths summary").first.click()
+    page.evaluate(FRAMES)
+    lead, plan, field = boxes = _boxes(
+        page, "#crank .lead", "#crank .cards .card", ".lengths .given input[type=text]"
+    )
+    for left, top, right, bottom in boxes:
+        assert left >= 0 and top >= 0
+        assert right <= window["width"] and bottom <= window["height"]
+    assert plan[0] >= lead[2]
+    assert plan[0] >= field[2]
+    assert field[1] >= lead[3]
+    for chosen in ("#crank .cards .card svg", ".lengths .given input[type=text]"):
+        seen = page.locator(chosen).first.evaluate(
+            """(one) => { const { left, top, width, height } = one.getBoundingClientRect();
+              return [0.02, 0.5, 0.98].every((share) =>
+                one.contains(document.elementFromPoint(left + width / 2, top + share * height))); }"""
+        )
+        assert seen, chosen
+    body, panel = _boxes(page, "#crank .lead svg", "#crank .lead")
+    assert body[3] - body[1] > 0.6 * (panel[3] - panel[1])
+
+
+@pytest.mark.parametrize("window", [IN_STUDIO, {"width": 700, "height": 700}], ids=["two", "one"])
+@pytest.mark.parametrize("runs", [False, True], ids=["still", "running"])
+def test_the_wheel_scrolls_over_every_plan(
+    page_of: Begin, window: dict[str, int], runs: bool
+) -> None:
+    page = _crank(page_of, "crank-rocker", window)
+    if runs:
+        page.locator("#crank .bar button").first.click()
+    for k in range(page.locator("#crank .card").count()):
+        card = page.locator("#crank .card").nth(k)
+        card.scroll_into_view_if_needed()
+        left, top, right, bottom = card.evaluate(BOX)
+        page.mouse.move((left + right) / 2, max(top, 60) / 2 + min(bottom, window["height"]) / 2)
+        before = page.evaluate(SCROLLED)
+        page.mouse.wheel(0, -120 if before > 0 else 120)
+        page.wait_for_function(f"(before) => ({SCROLLED})() !== before", arg=before)
+
+
+def test_home_and_end_scroll_unless_the_crank_has_the_focus(page_of: Begin) -> None:
+    page = _crank(page_of, "crank-rocker", IN_STUDIO)
+    angle = page.locator("#crank .angle")
+    before = angle.text_content()
+    page.locator("body").press("End")
+    page.wait_for_function(f"() => ({SCROLLED})() > 0")
+    page.locator("body").press("Home")
+    page.wait_for_function(f"() => ({SCROLLED})() === 0")
+    assert angle.text_content() == before
+    page.locator("#crank .turn").press("End")
+    assert page.locator("#crank .turn").input_value() == "359"
+    page.locator("#crank .turn").press("Home")
+    assert page.locator("#crank .turn").input_value() == "0"
