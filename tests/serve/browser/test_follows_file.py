@@ -152,6 +152,17 @@ def test_the_page_keeps_where_one_is(studio: Tab, scene: Path) -> None:
     assert frame.evaluate(place) == "#positions/all/4"
 
 
+def test_a_page_has_the_window_until_something_is_wrong(studio: Tab, scene: Path) -> None:
+    studio.allow("status of 422")
+    aside = studio.page.locator("aside[aria-label=Values]")
+    expect(aside).to_be_visible()
+    studio.page.get_by_role("tab", name="Plans step by step").click()
+    studio.page.locator("iframe:not(.coming)").wait_for()
+    expect(aside).to_be_hidden()
+    saved(scene, SMALL.replace('"0.3 m"', '"0.3 kg"'))
+    expect(aside).to_be_visible()
+
+
 def test_a_lost_connection_is_told_and_mended(tmp_path: Path, tab_of: Callable[..., Tab]) -> None:
     file = small(tmp_path, "held")
     with socket.socket() as free:
