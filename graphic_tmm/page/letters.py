@@ -2,7 +2,8 @@
 
 Where the sheet letters a figure its own labels tell how far each letter stands from its point; between two such
 positions that way turns and stretches evenly, the shorter way round. A letter that no sheet shows finds its
-place as it would on a sheet, in a few positions.
+place as it would on a sheet, in a few positions; on the mechanism itself, round which the numbers of all
+positions stand, in each of these.
 """
 
 from __future__ import annotations
@@ -19,8 +20,8 @@ from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.write.svg import shift
 
-LEAST, LED = 2, 4
-"""A figure is lettered at so many angles at least; the mechanism itself, round which much stands."""
+LEAST = 2
+"""A figure is lettered at so many angles at least."""
 
 BESIDE = 1.5 + 1.5j
 """Where a letter begins that is nowhere placed: so far from its point, mm."""
@@ -41,7 +42,8 @@ def lettered(
     ``shown``: the views of the sheets by their names; ``still``: what stands about the figure, lettered.
     """
     found: Aside = {}
-    for k, place in enumerate(dense.at):
+    # where numbers stand about it they do so otherwise than on the sheet
+    for k, place in enumerate(dense.at if still is None or not still.labels else ()):
         view = shown.get(moving.on_sheet(dense.sheet.names[k]))
         if view is not None and moving.name in view.shows and place in made.drawn:
             _from_sheet(found, made, view, view.origin(moving.name), place, k)
@@ -84,7 +86,7 @@ def _placed(
     there = [place for place in there if place not in dense.drawn.undrawn]
     need = {key for key in made.rows if isinstance(key, Letter)} - found.keys()
     done = {place for places in found.values() for place in places}
-    least = min(LEAST if moving.crank is None else LED, len(there))
+    least = min(LEAST, len(there)) if moving.crank is None else len(there)
     if len(done) < least:
         spread = np.linspace(0, len(there), least, endpoint=False).astype(int)
         for place in dict.fromkeys(there[k] for k in spread):

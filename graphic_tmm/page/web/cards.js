@@ -9,7 +9,8 @@ import { fixedText, fourFigures, NONE, Values } from "./crank-values.js";
  * @typedef {import("./types.js").Data} Data
  * @typedef {import("./types.js").Dense} Dense
  * @typedef {import("./types.js").MovingFigure} MovingFigure
- * @typedef {{show: (k: number, drawn: boolean) => void, svg: SVGElement, box?: number[]}} Shown
+ * @typedef {{show: (k: number, drawn: boolean) => void, svg: SVGElement, box?: number[],
+ *   enlarged?: (larger: number) => void}} Shown
  * @typedef {{name: string, title: string, figure: HTMLElement, leads: MovingFigure | null,
  *   built: () => Shown, show: (k: number, drawn: boolean) => void}} Card
  */
@@ -138,7 +139,7 @@ function card(name, title, caption, box, values, make, own, fit = "") {
       shown = make();
       figure.prepend(shown.svg);
       shown.svg.style.aspectRatio = `${width} / ${height}`;
-      readable(shown.svg);
+      readable(shown);
       if (own !== null) heading.append(fitting(shown, box, fit));
     }
     return shown;
@@ -194,12 +195,12 @@ function fitting(shown, box, name) {
     const now = body?.getBBox();
     const close = now === undefined ? whole() : [now.x - ABOUT, now.y - ABOUT, now.width + 2 * ABOUT, now.height + 2 * ABOUT];
     svg.setAttribute("viewBox", (fits ? close : whole()).join(" "));
-    weigh(svg);
+    weigh(shown);
   });
   svg.addEventListener("settled", () => {
     svg.setAttribute("viewBox", whole().join(" "));
     made.setAttribute("aria-pressed", "false");
-    weigh(svg);
+    weigh(shown);
   });
   made.setAttribute("aria-pressed", "false");
   return made;
@@ -207,20 +208,22 @@ function fitting(shown, box, name) {
 
 /**
  * Let the letters of a drawing be read where it is small.
- * @param {SVGElement} svg
+ * @param {Shown} shown
  */
-function readable(svg) {
-  new ResizeObserver(() => weigh(svg)).observe(svg);
+function readable(shown) {
+  new ResizeObserver(() => weigh(shown)).observe(shown.svg);
 }
 
-/** @param {SVGElement} svg */
-function weigh(svg) {
+/** @param {Shown} shown */
+function weigh(shown) {
+  const { svg } = shown;
   const { width, height } = svg.getBoundingClientRect();
   const [, , across = 1, up = 1] = (svg.getAttribute("viewBox") ?? "").split(" ").map(Number);
   const scale = Math.min(width / across, height / up);
   if (!(scale > 0)) return;
   const larger = Math.min(LARGEST, Math.max(1, LEGIBLE / (CAPITAL * scale)));
-  svg.style.setProperty("--larger", larger.toFixed(2)); // what moves passes over others anyway
+  svg.style.setProperty("--larger", larger.toFixed(2));
+  shown.enlarged?.(larger);
   const still = /** @type {SVGElement[]} */ ([...svg.querySelectorAll(".stays .glyph")]);
   growApart(svg, still, still.map(() => larger), "--larger");
   svg.style.setProperty("--heavier", Math.max(1, SEEN / scale).toFixed(2));

@@ -40,6 +40,10 @@ export class Moving {
     this.asides = [];
     this.box = figure.box;
     this.released = 0;
+    /** How much larger letters are than on the sheet: so much farther they stand off their points. */
+    this.larger = 1;
+    /** @type {[number, boolean] | null} */
+    this.shown = null;
     this.body = drawnElement("g", { class: "body" });
     const pens = layers(dense, figure.still ?? []);
     for (const line of figure.lines) this.line(line, rows, pens);
@@ -69,9 +73,12 @@ export class Moving {
    */
   letter(made, variants, aside) {
     const n = this.letters.push({ made, variants, aside }) - 1;
+    made.classList.add("tied");
     this.tie(made, variants, ([, [at = 0]], { re, im }, k) => {
-      const [u, v] = (this.asides[n] ?? aside)(k);
-      moved(made, (re[at] ?? 0) + u, (im[at] ?? 0) + v);
+      const own = this.asides[n];
+      const [u, v] = (own ?? aside)(k);
+      const times = own ? 1 : this.larger;
+      moved(made, (re[at] ?? 0) + times * u, (im[at] ?? 0) + times * v);
     });
   }
 
@@ -152,6 +159,7 @@ export class Moving {
    * @param {boolean} drawn
    */
   show(k, drawn) {
+    this.shown = [k, drawn];
     this.settle(k);
     const place = `${k} ${this.ink?.version ?? 0}`;
     if (place === this.last) return;
@@ -160,6 +168,18 @@ export class Moving {
     this.body.setAttribute("visibility", drawn ? "visible" : "hidden");
     if (drawn) for (const act of this.acts) act(k);
   }
+
+  /**
+   * Take notice of how much larger letters are.
+   * @param {number} larger
+   */
+  enlarged(larger) {
+    if (larger === this.larger) return;
+    this.larger = larger;
+    this.last = "";
+    if (this.shown !== null) this.show(...this.shown);
+  }
+
   /**
    * Take the room that it needs once lengths are no longer being changed.
    * @param {number} k

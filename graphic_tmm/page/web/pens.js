@@ -6,7 +6,7 @@ import { drawnElement } from "./dom.js";
  */
 
 /** White about a letter that stands on lines, in widths of its pen. */
-const HALO = 5;
+const HALO = 3;
 
 /**
  * Return a group for each pen, in their order, with what stands still already in it.

@@ -85,3 +85,38 @@ def test_home_and_end_scroll_unless_the_crank_has_the_focus(page_of: Begin) -> N
     assert page.locator("#crank .turn").input_value() == "359"
     page.locator("#crank .turn").press("Home")
     assert page.locator("#crank .turn").input_value() == "0"
+
+
+LETTERS = """() => [...document.querySelectorAll("#crank .lead .stays, #crank .lead .letters > g")]
+  .filter((one) => getComputedStyle(one).visibility !== "hidden").map((one) => {
+    const boxes = [...one.querySelectorAll("path:not([stroke='var(--paper)'])")].map((path) => path.getBoundingClientRect());
+    return [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top)),
+      Math.max(...boxes.map((box) => box.right)), Math.max(...boxes.map((box) => box.bottom))]; })"""
+"""What letters of the mechanism take on the screen, px: without the white about them."""
+PINS = """() => [...document.querySelectorAll("#crank .lead .handle, #crank .lead .joint")].map((one) => {
+  const { left, top, right, bottom } = one.getBoundingClientRect(); return [(left + right) / 2, (top + bottom) / 2]; })"""
+
+
+def _meet(one: list[float], other: list[float]) -> bool:
+    return one[0] < other[2] and other[0] < one[2] and one[1] < other[3] and other[1] < one[3]
+
+
+@pytest.mark.parametrize("window", [ALONE, IN_STUDIO], ids=["alone", "studio"])
+def test_letters_lie_on_no_pin_and_on_no_other_letter_in_any_position(
+    page_of: Begin, window: dict[str, int]
+) -> None:
+    """However small the mechanism is drawn: its letters are the larger for it."""
+    page = _crank(page_of, "crank-rocker", window)
+    for opened in (False, True):
+        if opened:
+            page.locator(".lengths summary").first.click()
+            page.evaluate(FRAMES)
+        for button in page.locator("#crank .row button").all():
+            button.click()
+            letters, pins = page.evaluate(LETTERS), page.evaluate(PINS)
+            assert len(letters) > 12
+            assert len(pins) > 3
+            where = f"{button.text_content()} {opened}"
+            for k, one in enumerate(letters):
+                assert [n for n in range(k) if _meet(one, letters[n])] == [], where
+                assert [pin for pin in pins if _meet(one, [*pin, *pin])] == [], where
