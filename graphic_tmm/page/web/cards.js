@@ -10,7 +10,7 @@ import { fixedText, fourFigures, NONE, Values } from "./crank-values.js";
  * @typedef {import("./types.js").Dense} Dense
  * @typedef {import("./types.js").MovingFigure} MovingFigure
  * @typedef {{show: (k: number, drawn: boolean) => void, svg: SVGElement, box?: number[],
- *   enlarged?: (larger: number) => void}} Shown
+ *   enlarged?: (larger: number) => void, numbers?: import("./numbers.js").PutNumbers}} Shown
  * @typedef {{name: string, title: string, figure: HTMLElement, leads: MovingFigure | null,
  *   built: () => Shown, show: (k: number, drawn: boolean) => void}} Card
  */

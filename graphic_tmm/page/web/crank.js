@@ -72,7 +72,7 @@ function fill(room, data, dense, state, packed) {
   if (lead?.leads) {
     lead.figure.classList.add("lead");
     if (lead.leads.crank?.length) hold = putHandle(dense, lead.leads, lead.built().svg, () => state.place.turn, stand);
-    lengths?.lead(lead.built().svg);
+    lengths?.lead(lead.built().svg, lead.built().numbers);
     lead.figure.append(why);
   }
 

@@ -13,7 +13,7 @@
  *   mark: (slot: number) => number,
  *   chart: (svg: Element, cursors: import("./types.js").Cursor[]) => import("./live/charts.js").LiveChart,
  *   stand: (k: number) => void,
- *   lead: (svg: SVGElement) => void,
+ *   lead: (svg: SVGElement, numbers?: import("./numbers.js").PutNumbers) => void,
  * }} Lengths what figures are tied to; what is changed; why an angle is not drawn, null while all is as given; a number
  *   of the log; whether anything is not as given; the scale factor of a figure, not a number while all is as given; where
  *   the pin of the crank is; a number that the sheet has once; lets the ink of a view of a sheet follow; takes notice of

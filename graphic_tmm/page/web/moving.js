@@ -1,5 +1,6 @@
 import { nearestDrawn, presenceOf, spreadRow } from "./dense.js";
 import { drawnElement } from "./dom.js";
+import { numbersAboutPin } from "./numbers.js";
 import { layers, written } from "./pens.js";
 import { hundredths, pathOf, placeOf } from "./strokes.js";
 
@@ -49,9 +50,9 @@ export class Moving {
     for (const line of figure.lines) this.line(line, rows, pens);
     for (const layer of pens.values()) if (layer.childElementCount > 0) this.body.append(layer);
     this.svg.append(this.body);
-    for (const [n, x, y] of figure.stands ?? []) {
-      this.svg.append(drawnElement("g", { class: "stays", transform: `translate(${x} ${-y})` }, written(dense.glyphs[n])));
-    }
+    const stays = (figure.stands ?? []).map(([n, x, y]) => drawnElement("g", { class: "stays", transform: `translate(${x} ${-y})` }, written(dense.glyphs[n])));
+    this.svg.append(...stays);
+    this.numbers = numbersAboutPin(dense, figure, this.svg, /** @type {SVGGraphicsElement[]} */ (stays));
     const letters = drawnElement("g", { class: "letters" });
     for (const [n, x, y, there, variants] of figure.letters) {
       const made = drawnElement("g", {}, written(dense.glyphs[n]));
@@ -177,6 +178,7 @@ export class Moving {
     if (larger === this.larger) return;
     this.larger = larger;
     this.last = "";
+    this.numbers();
     if (this.shown !== null) this.show(...this.shown);
   }
 

@@ -120,3 +120,26 @@ def test_letters_lie_on_no_pin_and_on_no_other_letter_in_any_position(
             for k, one in enumerate(letters):
                 assert [n for n in range(k) if _meet(one, letters[n])] == [], where
                 assert [pin for pin in pins if _meet(one, [*pin, *pin])] == [], where
+
+
+NUMBERS = """() => [...document.querySelectorAll("#crank .lead .stays")]
+  .filter((one) => getComputedStyle(one).visibility !== "hidden").map((one) => {
+    const { left, top, right, bottom } = one.getBoundingClientRect(); return [(left + right) / 2, (top + bottom) / 2]; })"""
+
+
+def test_numbers_of_positions_stay_about_the_circle_of_the_pin(page_of: Begin) -> None:
+    """With another length they stand where the pin is then; what does not move the pin moves no number."""
+    page = _crank(page_of, "crank-rocker", ALONE)
+    page.locator(".lengths summary").first.click()
+    rows = page.locator("#crank .row button")
+    for letter, text in ("l_AB", "64"), ("l_OA", "24"):
+        field = page.get_by_role("textbox", name=f"{letter}, value")
+        field.fill(text)
+        field.press("Enter")
+        page.evaluate(FRAMES)
+        numbers = page.evaluate(NUMBERS)
+        assert len(numbers) == rows.count()
+        for k, place in enumerate(numbers):
+            rows.nth(k).click()
+            x, y = page.evaluate(PINS)[0]
+            assert abs(complex(*place) - complex(x, y)) < 40

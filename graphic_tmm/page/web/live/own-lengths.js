@@ -175,8 +175,8 @@ export function begunLengths(data, dense, show) {
     chart: (svg, cursors) => new LiveChart(run, dense, svg, cursors),
     stand: (k) => rings(k),
     pin: (k) => (good.size === 0 ? null : pinAt(k)),
-    lead(svg) {
-      turned = turnedInk(svg, dense, live.paths.length);
+    lead(svg, numbers) {
+      turned = turnedInk(svg, dense, live.paths.length, numbers);
       rings = jointRings(svg, live.joints, (k) => run.marks(k), panel.drag, panel.drop);
       panel.element.addEventListener("toggle", () => svg.classList.toggle("adjusted", /** @type {HTMLDetailsElement} */ (panel.element).open));
     },

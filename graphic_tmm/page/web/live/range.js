@@ -11,13 +11,15 @@ import { drawnElement } from "../dom.js";
  * @param {SVGElement} svg
  * @param {Dense} dense
  * @param {number} count how many paths there are
+ * @param {import("../numbers.js").PutNumbers} [numbers] puts the numbers of positions
  */
-export function turnedInk(svg, dense, count) {
+export function turnedInk(svg, dense, count, numbers) {
   const range = drawnElement("path", { class: "range" });
   const paths = Array.from({ length: count }, () => drawnElement("path", { class: "way" }));
   svg.prepend(range, ...paths);
   return (/** @type {boolean} */ own, /** @type {(Complex | null)[]} */ pins, /** @type {(Complex | null)[][]} */ ways) => {
     svg.classList.toggle("own", own);
+    numbers?.(own ? pins : null);
     range.setAttribute("d", own ? through(pins, dense) : "");
     paths.forEach((path, n) => path.setAttribute("d", own ? through(ways[n] ?? [], dense) : ""));
   };
