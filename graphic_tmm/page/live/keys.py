@@ -101,16 +101,16 @@ def keys(scene: Scene, project: Project) -> dict[Letter, Meaning]:
     own = set(found.values())
     for letter, value in old.items():
         for p, q in product(set(range(len(numbers))) - own, own) if letter not in found else ():
-            apart, then = (
+            less, then = (
                 many[0] * numbers[p].value - many[1] * numbers[q].value
                 for many in ((1.0, 1.0), (1.0 + shares[p], 1.0 + shares[q]))
             )
             if (
-                apart
-                and abs(value / apart - new.get(letter, 0.0) / then) < ALIKE
-                and abs(abs(value / apart) - 1.0) < ALIKE
+                less
+                and abs(value / less - new.get(letter, 0.0) / then) < ALIKE
+                and abs(abs(value / less) - 1.0) < ALIKE
             ):
-                meanings[letter] = Meaning(numbers[p], value / apart, numbers[q])
+                meanings[letter] = Meaning(numbers[p], value / less, numbers[q])
     rest = {letter: value for letter, value in old.items() if letter not in meanings}
 
     def apart(some: set[int]) -> bool:

@@ -1,4 +1,4 @@
-"""The room of the crank in a browser: what belongs together is on the screen together, the wheel scrolls everywhere."""
+"""The room of the crank in a browser: what belongs together is in sight together, the wheel scrolls."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ ALONE, IN_STUDIO = {"width": 1280, "height": 800}, {"width": 896, "height": 711}
 """A usual window, and what the studio leaves of it beside its values."""
 BOX = """(one) => { const { left, top, right, bottom } = one.getBoundingClientRect();
   return [left, top, right, bottom]; }"""
-SCROLLED = """() => [...document.querySelectorAll("#crank, #crank *")].reduce((sum, one) => sum + one.scrollTop, 0)"""
+SCROLLED = """() => [...document.querySelectorAll("#crank, #crank *")]
+  .reduce((sum, one) => sum + one.scrollTop, 0)"""
 
 
 def _crank(page_of: Begin, name: str, window: dict[str, int], address: str = "#crank:") -> Any:
@@ -38,8 +39,9 @@ def test_a_length_and_the_velocities_that_it_changes_are_seen_together(
         page, "#crank .lead", "#crank .cards .card", ".lengths .given input[type=text]"
     )
     for left, top, right, bottom in boxes:
-        assert left >= 0 and top >= 0
-        assert right <= window["width"] and bottom <= window["height"]
+        assert min(left, top) >= 0
+        assert right <= window["width"]
+        assert bottom <= window["height"]
     assert plan[0] >= lead[2]
     assert plan[0] >= field[2]
     assert field[1] >= lead[3]
@@ -89,12 +91,14 @@ def test_home_and_end_scroll_unless_the_crank_has_the_focus(page_of: Begin) -> N
 
 LETTERS = """() => [...document.querySelectorAll("#crank .lead .stays, #crank .lead .letters > g")]
   .filter((one) => getComputedStyle(one).visibility !== "hidden").map((one) => {
-    const boxes = [...one.querySelectorAll("path:not([stroke='var(--paper)'])")].map((path) => path.getBoundingClientRect());
+    const paths = [...one.querySelectorAll("path:not([stroke='var(--paper)'])")];
+    const boxes = paths.map((path) => path.getBoundingClientRect());
     return [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top)),
       Math.max(...boxes.map((box) => box.right)), Math.max(...boxes.map((box) => box.bottom))]; })"""
 """What letters of the mechanism take on the screen, px: without the white about them."""
 PINS = """() => [...document.querySelectorAll("#crank .lead .handle, #crank .lead .joint")].map((one) => {
-  const { left, top, right, bottom } = one.getBoundingClientRect(); return [(left + right) / 2, (top + bottom) / 2]; })"""
+  const { left, top, right, bottom } = one.getBoundingClientRect();
+  return [(left + right) / 2, (top + bottom) / 2]; })"""
 
 
 def _meet(one: list[float], other: list[float]) -> bool:
@@ -124,7 +128,8 @@ def test_letters_lie_on_no_pin_and_on_no_other_letter_in_any_position(
 
 NUMBERS = """() => [...document.querySelectorAll("#crank .lead .stays")]
   .filter((one) => getComputedStyle(one).visibility !== "hidden").map((one) => {
-    const { left, top, right, bottom } = one.getBoundingClientRect(); return [(left + right) / 2, (top + bottom) / 2]; })"""
+    const { left, top, right, bottom } = one.getBoundingClientRect();
+  return [(left + right) / 2, (top + bottom) / 2]; })"""
 
 
 def test_numbers_of_positions_stay_about_the_circle_of_the_pin(page_of: Begin) -> None:

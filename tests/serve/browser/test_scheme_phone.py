@@ -15,11 +15,14 @@ OUT_OF_REACH = """() => {
   const { left, right } = bar.getBoundingClientRect();
   const out = [...bar.querySelectorAll(".tool")].filter((one) => {
     const box = one.getBoundingClientRect();
-    return box.left < left - .5 || box.right > right + .5 || box.right > innerWidth || Math.min(box.width, box.height) < 43.5;
+    const out = box.left < left - .5 || box.right > right + .5 || box.right > innerWidth;
+    return out || Math.min(box.width, box.height) < 43.5;
   });
   return [...scrolls, ...out.map((one) => one.textContent || one.title)];
 }"""
-PAPER = "() => document.querySelector('.scheme-window').getBoundingClientRect().height / innerHeight"
+PAPER = (
+    "() => document.querySelector('.scheme-window').getBoundingClientRect().height / innerHeight"
+)
 
 
 @pytest.mark.parametrize(("size", "share"), [("phone", 0.3), ("turned", 0.35), ("desk", 0.6)])
