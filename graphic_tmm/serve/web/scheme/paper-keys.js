@@ -21,7 +21,7 @@ export function listenToKeys(paper) {
   const keys = new Keys(paper);
   paper.svg.addEventListener("keydown", (event) => keys.key(event));
   paper.svg.addEventListener("blur", () => {
-    keys.rest = paper.cross ?? keys.rest;
+    paper.rest = paper.cross ?? paper.rest;
     keys.held = false;
     paper.cross = null;
     paper.draw();
@@ -36,8 +36,6 @@ class Keys {
     this.held = false;
     /** @type {Dots} */
     this.heldAt = [0, 0];
-    /** Where the cross was last. @type {Place | null} */
-    this.rest = null;
   }
 
   /** @param {KeyboardEvent} event */
@@ -86,7 +84,7 @@ class Keys {
   /** Where the cross begins: where it was last, at the chosen pin, else in the middle. @returns {Place} */
   beginning() {
     const { letter } = this.paper.chosen;
-    if (this.rest !== null) return this.rest;
+    if (this.paper.rest !== null) return this.paper.rest;
     if (letter !== undefined && this.paper.sketch !== null) return placeOf(this.paper.sketch, letter);
     return this.paper.view.place([this.paper.view.width / 2, this.paper.view.height / 2]);
   }

@@ -44,6 +44,8 @@ export class Paper {
     this.rubber = { from: null, to: null, says: "" };
     /** Where the keys are, m; null while a pointer is at work. @type {Place | null} */
     this.cross = null;
+    /** Where the cross was last, m. @type {Place | null} */
+    this.rest = null;
     /** What is to be done when the paper lies elsewhere. */
     this.under = () => {};
     listenToPointers(this);
@@ -83,6 +85,8 @@ export class Paper {
    */
   shift([x, y]) {
     this.view.pan(-x * this.view.scale, y * this.view.scale);
+    const there = (/** @type {Place | null} */ one) => (one === null ? null : /** @type {Place} */ ([one[0] + x, one[1] + y]));
+    [this.cross, this.rest] = [there(this.cross), there(this.rest)];
   }
 
   /** @param {number} by */
