@@ -113,17 +113,17 @@ def keys(scene: Scene, project: Project) -> dict[Letter, Meaning]:
                 meanings[letter] = Meaning(numbers[p], value / less, numbers[q])
     rest = {letter: value for letter, value in old.items() if letter not in meanings}
 
-    def apart(some: set[int]) -> bool:
+    def free(some: set[int]) -> bool:
         """Whether numbers leave alone what no letter is."""
         alone = _changed(scene, [share if k in some else 0.0 for k, share in enumerate(shares)])
         return all(abs(alone.get(letter, v) - v) <= ALIKE * abs(v) for letter, v in rest.items())
 
-    if not apart(own):
-        free = {numbers[k] for k in own if apart({k})}
+    if not free(own):
+        alone = {numbers[k] for k in own if free({k})}
         meanings = {
             letter: one
             for letter, one in meanings.items()
-            if one.key in free and (one.less is None or one.less in free)
+            if one.key in alone and (one.less is None or one.less in alone)
         }
     return _elsewhere(scene, old) | meanings
 

@@ -122,7 +122,7 @@ def test_points_of_an_indicator_diagram_and_its_cursor_follow_a_length(page_of: 
     log = sheet.construction
     point = next(s.it for s in log.steps if s.it.key == ("indicator", "k"))
     arm = next(mark for mark in log.given if mark.name == "l_{OA}")
-    longer = 1.06 * float(np.ravel(sheet.given[arm])[0])
+    longer = 1.25 * float(np.ravel(sheet.given[arm])[0])
     at = [
         execute(log, {**sheet.given, **own})[point][0, POSITION - 1]
         for own in ({}, {m: longer for m in log.given if m.name == "l_{OA}"})
