@@ -233,3 +233,15 @@ def _runs(places: Sequence[int]) -> Iterator[list[int]]:
             run = []
         run.append(place)
     yield run
+
+
+def first_asked(drawn: Drawn, plans: Sequence[str]) -> int:
+    """Return the position in which the crank stands at first: the author's, else the one of which most plans are drawn.
+
+    ``plans``: the position of each plan that is drawn for one. Forces are asked for in few; the main position
+    comes first of several with as many plans.
+    """
+    if drawn.scene.main in drawn.names:
+        return drawn.main
+    there = [k for k in (drawn.main, *drawn.all) if k not in drawn.undrawn] or [drawn.main]
+    return max(there, key=lambda k: plans.count(drawn.names[k]))

@@ -33,6 +33,7 @@ from graphic_tmm.errors import SheetError
 from graphic_tmm.files import environment
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.page.crank import crank
+from graphic_tmm.page.dense import first_asked
 from graphic_tmm.page.error_shares import ERRORS, error_shares, marked_up
 from graphic_tmm.page.live.givens import live_log
 from graphic_tmm.page.live.words import LIVE
@@ -187,7 +188,9 @@ def page(
     tables: Tables = {}
     logs: Mapping[str, str] = {}
     if turned is not None:
-        data["crank"] = turned.data
+        plans = [view["position"] for view in data["views"]]
+        begins = turned.found.at[first_asked(made.mechanism, plans)] if made.mechanism else 0
+        data["crank"] = turned.data | {"begins": begins}
         if "ends" in turned.data:
             data["words"] |= _said(ENDS, language)
     further: tuple[str, ...] = ()

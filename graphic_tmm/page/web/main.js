@@ -28,7 +28,7 @@ function begin(data) {
   const state = new State(
     data.views,
     rooms.map(([name]) => name),
-    mainTurn(data),
+    data.crank === undefined ? 0 : turnAt(data.crank, data.crank.begins),
   );
   if (opened) state.place = state.within({ view: firstSight(data.views), picture: Infinity });
   root.classList.add("js");
@@ -57,17 +57,6 @@ function begin(data) {
  */
 function firstSight(views) {
   return Math.max(views.findIndex((view, k) => view.main && view.mechanism !== undefined && view.mechanism !== k), 0);
-}
-
-/**
- * Return where the crank stands in the main position, degrees.
- * @param {Data} data
- */
-function mainTurn({ crank, views }) {
-  const view = views.find((one) => one.main);
-  const name = view?.position || view?.names[view.first];
-  const index = crank?.positions.find(([own]) => own === name)?.[1];
-  return crank === undefined || index === undefined ? 0 : turnAt(crank, index);
 }
 
 /**

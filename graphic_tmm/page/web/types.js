@@ -43,7 +43,7 @@
  * `ends`: of a row that is no whole turn, what its place is called, where it begins, how far a step goes.
  * @typedef {{whole: number, step: number, sense: number, zero: number, more: number[], lengths: number[],
  *   ends?: {letter: string, unit: string, from: number, per: number},
- *   positions: [string, number][], why: [number, number, string][], decimal: string,
+ *   positions: [string, number][], begins: number, why: [number, number, string][], decimal: string,
  *   pens: Record<string, [number, number[], string, string]>, figures: MovingFigure[], cursors: Cursor[],
  *   glyphs: Glyph[], ties?: Ties, numbers?: [number, number, number], results?: Result[],
  *   hangs?: Record<string, number[]>, segments?: [string, ...number[]][]}} Dense `numbers`: of the row, the first, by how
