@@ -148,3 +148,20 @@ def test_numbers_of_positions_stay_about_the_circle_of_the_pin(page_of: Begin) -
             rows.nth(k).click()
             x, y = page.evaluate(PINS)[0]
             assert abs(complex(*place) - complex(x, y)) < 40
+
+
+def test_nothing_moves_when_a_message_comes_or_goes(page_of: Begin) -> None:
+    page = _crank(page_of, "crank-rocker", ALONE)
+    page.locator(".lengths summary").first.click()
+    page.evaluate(FRAMES)
+    field = page.get_by_role("textbox", name="l_AB, value")
+    places = """() => [...document.querySelectorAll(".lengths input, #crank .row button, #crank .lead svg")].map((one) => {
+      const { left, top, width, height } = one.getBoundingClientRect(); return [left, top, width, height]; })"""
+    before, said = page.evaluate(places), set()
+    for text in ("64", "26", "many", "60"):
+        field.fill(text)
+        field.press("Enter")
+        page.evaluate(FRAMES)
+        said.add(page.locator(".lengths .told").text_content())
+        assert page.evaluate(places) == before, text
+    assert len(said) > 2
