@@ -84,7 +84,8 @@ def _lengths(fields: list[Field], doc: Document) -> Iterator[tuple[Field, str]]:
                 "offset",
                 "angle",
             ):
-                yield field, f"{doc['link'][k].get('number')}: {field.label}"
+                label = "∠" if "weld" in field.path else field.label
+                yield field, f"{doc['link'][k].get('number')}: {label}"
     for field in fields:
         match field.path:
             case ("frame" | "joints", str(letter), int(axis)):
