@@ -17,6 +17,7 @@ from graphic_tmm.fitting.compose import Composed
 from graphic_tmm.fitting.composition import Composition, composition_file, known_composition, text
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.reader import reader, reading
+from graphic_tmm.language.said import said
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.formats import AUTO
 from graphic_tmm.paper.lettering.letters import missing
@@ -37,6 +38,11 @@ from graphic_tmm.studio import composed_sheets, make
 
 P = ParamSpec("P")
 T = TypeVar("T")
+STANDS = said(
+    "no speed is given: the driving link stands, and plans of velocities are of possible ones, whose ratios "
+    "alone count; write its speed to have real ones"
+)
+"""What is to be known of a scene as it is begun in the studio."""
 REMEMBERED = 2
 """So many drawings a process remembers: that of before, and that of now."""
 
@@ -148,10 +154,12 @@ def drawn_sheets(task: Task) -> Sheets:
     """Return the sheets of a scene."""
     made, found = composed(task)
     language = made.scene.language
-    warnings = (
+    warnings = [
         plainly(printable(one), speaking(language))
         for one in all_warnings(made, language, sheets=True)
-    )
+    ]
+    if made.scene.at_rest:
+        warnings.append(speaking(language)(STANDS))
     return Sheets(_svg(found), tuple(warnings), text(found.composition, found.scales).encode())
 
 

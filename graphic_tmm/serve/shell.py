@@ -74,7 +74,7 @@ WORDS: dict[str, str] = {
     "find": said("Find a value"),
     "more": said("What else may be written"),
     "default": said("else {default}"),
-    "usual": said("as usual"),
+    "usual": said("left out"),
     "needed": said("has to be written"),
     "on": said("yes"),
     "off": said("no"),

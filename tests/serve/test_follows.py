@@ -81,6 +81,19 @@ def test_comments_and_layout_draw_nothing_anew(tmp_path: Path) -> None:
     run(serving)
 
 
+def test_that_no_speed_is_given_is_told(tmp_path: Path) -> None:
+    file = small(tmp_path)
+
+    async def serving() -> None:
+        async with opened(file) as (browser, _):
+            assert (await browser.settled("small"))["warnings"] == []
+            file.write_text(SMALL.replace('"10 1/s"', "0"), encoding="utf-8")
+            stands = await browser.settled("small", lambda one: one["warnings"])
+            assert "plans of velocities are of possible ones" in stands["warnings"][0]
+
+    run(serving)
+
+
 def test_faults_are_told_by_line_and_the_last_sheets_stay(tmp_path: Path) -> None:
     file = small(tmp_path)
 

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from support.driven_scenes import NARROW
 from support.gallery import SHEETS
+from support.served import SMALL
 from support.slider_sketch import PLACES, body, crank_and_slider
 from support.strangers import FILES
 
@@ -270,6 +271,17 @@ def test_a_mechanism_that_none_of_its_positions_reaches_is_shown_where_it_is_ass
     drawn = scheme(NARROW.encode(), Path("narrow.toml"), SchemeAct(), EN)
     assert 67.3 < drawn["at"] < 78.3
     assert drawn["text"] == NARROW
+
+
+@pytest.mark.parametrize(
+    ("angle", "axis"), [("0 deg", "Y"), ("-180 deg", "Y"), ("90 deg", "X"), ("30 deg", "XY")]
+)
+def test_of_a_guide_along_the_paper_that_is_shown_which_places_it(angle: str, axis: str) -> None:
+    guide = f'x = {{ through = ["3 mm", "4 mm"], angle = "{angle}" }}'
+    text = SMALL.replace('x = { through = [0, 0], angle = "0 deg" }', guide)
+    told = scheme(text.encode(), Path("scheme.toml"), SchemeAct(), EN)["fields"]
+    labels = [one["label"] for one in told if one["label"].startswith("x-x")]
+    assert labels == [*(f"x-x: {one}" for one in axis), "x-x: ∠"]
 
 
 def test_a_turn_is_told() -> None:

@@ -91,7 +91,9 @@ def _lengths(fields: list[Field], doc: Document) -> Iterator[tuple[Field, str]]:
             case ("frame" | "joints", str(letter), int(axis)):
                 if not ZERO.fullmatch(field.text):
                     yield field, f"{'XY'[axis]} {letter}"
-            case ("frame", str(name), "through", int(axis)) if not ZERO.fullmatch(field.text):
+            case ("frame", str(name), "through", int(axis)) if not (
+                ZERO.fullmatch(field.text) or _is_along(doc["frame"][name], axis)
+            ):
                 yield field, f"{name}-{name}: {'XY'[axis]}"
             case ("frame", str(name), "angle"):
                 yield field, f"{name}-{name}: ∠"
@@ -103,6 +105,12 @@ def _of_point(points: Mapping[str, Any], letter: str, axis: int) -> str:
     if axis == 0 and _is_zero(points[letter], 1) and zero:
         return f"{zero[0]}{letter}"
     return f"{letter}, {'xy'[axis]}"
+
+
+def _is_along(guide: Mapping[str, Any], axis: int) -> bool:
+    """Whether a guide lies along an axis of the paper: where on that it begins is nothing to it."""
+    told = re.fullmatch(r"([+-]?\d+)(?:\.0*)?\s*(?:deg|°|град)\.?", str(guide.get("angle")).strip())
+    return told is not None and int(told[1]) % 180 == (0, 90)[axis]
 
 
 def _is_zero(place: Any, axis: int) -> bool:

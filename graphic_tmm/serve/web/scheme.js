@@ -2,6 +2,7 @@ import { element } from "../../page/web/dom.js";
 import { themeButton } from "../../page/web/theme.js";
 import { Editor } from "./scheme/editor.js";
 import { Memory } from "./scheme/memory.js";
+import { keepSeen } from "./scheme/seen.js";
 import { blankSketch } from "./scheme/sketch.js";
 import { about, newScene, schemeAfter } from "./wire.js";
 
@@ -41,6 +42,7 @@ form.addEventListener("submit", async (event) => {
   if (name === "") return tell(errors[0] ?? words["not sent"] ?? "");
   sessionStorage.removeItem(MEMORY);
   const place = new URL(`s/${encodeURIComponent(name)}/#scheme`, location.href);
+  keepSeen(editor, place.pathname);
   await memory.moveTo(place.pathname);
   location.assign(place.href);
 });

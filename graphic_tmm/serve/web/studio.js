@@ -4,8 +4,10 @@ import { Faults } from "./faults.js";
 import { Values } from "./form.js";
 import { PageFrame } from "./frame.js";
 import { agrees } from "./scheme/agrees.js";
+import { takeOwn } from "./scheme/editor-acts.js";
 import { Editor } from "./scheme/editor.js";
 import { Memory } from "./scheme/memory.js";
+import { keepSeen } from "./scheme/seen.js";
 import { PhotoCheck } from "./photo-check.js";
 import { Sheets } from "./sheets.js";
 import { tabList } from "./tabs.js";
@@ -36,7 +38,7 @@ let lost = false;
 let stood = "";
 
 const sheets = new Sheets(words);
-const frame = new PageFrame(words, place, drawAgain);
+const frame = new PageFrame(words, place, drawAgain, scene.fixed ? null : putOwn);
 const values = new Values(
   words,
   scene.fixed,
@@ -123,6 +125,16 @@ async function sendScheme(act) {
   return { newer, ...(await sendScheme({ ...act, text: newer.text ?? "" })) };
 }
 
+/**
+ * Put values that were changed in the page into the file, where the scheme can take them back; say how that ended.
+ * @param {string} own
+ */
+async function putOwn(own) {
+  if (schemed === "" || state?.text_version !== schemed) await scheme.reload(THE_FILE);
+  const [why] = await takeOwn(scheme, own);
+  return why ?? words["own put"] ?? "";
+}
+
 /** Show the scheme of the file as it is. */
 function loadScheme() {
   void scheme.reload(THE_FILE).then(() => memory.recall());
@@ -145,6 +157,7 @@ function files() {
 }
 
 function remember() {
+  if (schemed !== "") keepSeen(scheme);
   try {
     const now = { way: looked, place: frame.place };
     sessionStorage.setItem(MEMORY, JSON.stringify(now));

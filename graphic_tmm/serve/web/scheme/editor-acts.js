@@ -59,11 +59,20 @@ export function typeValue(editor, key, value, long) {
   return editor.ask(act, () => editor.history.keep(editor.moment), () => {
     if (!scale) return;
     editor.measured = true;
-    editor.picture.scale(sizeOf(editor.sketch) / size);
-    editor.paper.fit();
+    enlarge(editor, sizeOf(editor.sketch) / size);
     const field = editor.answer?.fields.find((one) => one.key === key);
     if (field !== undefined) editor.tell(editor.say("scheme scaled", { length: field.label, text: field.text }));
   });
+}
+
+/**
+ * Let the picture below be as much larger as the mechanism is, and both look as large as before.
+ * @param {Editor} editor
+ * @param {number} by
+ */
+function enlarge(editor, by) {
+  editor.picture.scale(by);
+  editor.paper.enlarged(by);
 }
 
 /**
@@ -74,6 +83,15 @@ export function typeValue(editor, key, value, long) {
  */
 export function addSection(editor, section, typed) {
   return editor.ask(() => ({ section, typed, at: editor.answer?.at ?? null }), () => editor.history.keep(editor.moment));
+}
+
+/**
+ * Take the values that were changed in the page, as TOML; return why they were refused.
+ * @param {Editor} editor
+ * @param {string} own
+ */
+export function takeOwn(editor, own) {
+  return editor.ask(() => ({ own, at: editor.answer?.at ?? null }), () => editor.history.keep(editor.moment));
 }
 
 /**
@@ -99,6 +117,8 @@ export function doAgain(editor) {
 function restore(editor, moment) {
   if (moment === null) return;
   const before = editor.moment;
+  const rescaled = moment.measured !== editor.measured && sizeOf(moment.sketch) / sizeOf(editor.sketch);
+  if (rescaled) enlarge(editor, rescaled);
   editor.shift([moment.origin[0] - editor.origin[0], moment.origin[1] - editor.origin[1]]);
   Object.assign(editor, { sketch: moment.sketch, text: moment.text, answer: moment.answer, measured: moment.measured, chosen: {} });
   editor.changed();

@@ -5,6 +5,7 @@ import { History } from "./history.js";
 import { Hand } from "./hand.js";
 import { Paper } from "./paper.js";
 import { Picture } from "./picture.js";
+import { lookAgain, seenBefore } from "./seen.js";
 import { Side } from "./side.js";
 import { blankSketch, bodyOf } from "./sketch.js";
 import { ToolBar } from "./tools.js";
@@ -68,7 +69,7 @@ export class Editor {
       begun: () => this.tell(this.say("scheme begun")),
       key: (event) => keyed(this, event),
       how: () => this.hand.how(),
-    });
+    }, this.say("mm"));
     this.picture = new Picture(this);
     this.turning = new Turning(this);
     this.side = new Side(this);
@@ -215,12 +216,16 @@ export class Editor {
   async reload(file) {
     let { text } = this;
     this.measured = true;
-    await this.ask(() => ({ ...file, at: this.answer?.at ?? null }), () => {
+    const seen = text === "" ? seenBefore() : null;
+    const asked = (/** @type {SchemeAnswer["at"]} */ at) => this.ask(() => ({ ...file, at }), () => {
       text = this.text;
       return this.moment;
     });
+    const refused = await asked(this.answer?.at ?? seen?.at ?? null);
+    // with other lengths it may not be assembled there
+    if (refused.length > 0 && seen !== null) await asked(null);
     if (text !== this.text) this.history = new History(BACK);
-    if (text === "" && this.text !== "") this.paper.fit();
+    if (text === "" && this.text !== "") lookAgain(this, seen);
     this.bar.show();
   }
 

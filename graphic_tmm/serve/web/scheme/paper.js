@@ -1,4 +1,5 @@
 import { drawnElement, element } from "../../../page/web/dom.js";
+import { countedFrom, drawnGrid, whereabouts } from "./grid.js";
 import { listenToKeys } from "./paper-keys.js";
 import { listenToPointers } from "./pointers.js";
 import { drawnLoads } from "./load-signs.js";
@@ -26,14 +27,18 @@ export class Paper {
   /**
    * @param {string} label
    * @param {Hand} hand
+   * @param {string} mm
    */
-  constructor(label, hand) {
+  constructor(label, hand, mm) {
     this.hand = hand;
+    this.mm = mm;
     this.view = new View();
+    /** Where the pointer, or the cross, is. */
+    this.at = element("output", { class: "scheme-at", "aria-hidden": "true" });
     this.svg = drawnElement("svg", { class: "scheme-paper", tabindex: 0, role: "application", "aria-label": label });
     this.layers = ["squares", "mechanism", "loads", "over"].map((name) => drawnElement("g", { class: name }));
     this.svg.append(...this.layers);
-    this.element = element("div", { class: "scheme-window" }, this.svg);
+    this.element = element("div", { class: "scheme-window" }, this.svg, this.at);
     /** @type {Sketch | null} */
     this.sketch = null;
     /** @type {Chosen} */
@@ -89,6 +94,17 @@ export class Paper {
     [this.cross, this.rest] = [there(this.cross), there(this.rest)];
   }
 
+  /**
+   * Let what is drawn look as large as before, and lie where it lay, now that it is larger.
+   * @param {number} by
+   */
+  enlarged(by) {
+    const there = (/** @type {Place | null} */ one) => (one === null ? null : /** @type {Place} */ ([by * one[0], by * one[1]]));
+    [this.cross, this.rest] = [there(this.cross), there(this.rest)];
+    this.view.zoom(1 / by, this.view.origin);
+    this.draw();
+  }
+
   /** @param {number} by */
   zoom(by) {
     this.view.zoom(by);
@@ -104,31 +120,24 @@ export class Paper {
   draw() {
     if (this.sketch === null) return;
     const [squares, mechanism, loads] = this.layers;
-    squares?.replaceChildren(...this.squares());
+    squares?.replaceChildren(...drawnGrid(this.view, countedFrom(this.sketch), this.mm));
     loads?.replaceChildren(...drawnLoads(this.loads, this.view));
-    mechanism?.replaceChildren(...drawnSketch(this.sketch, this.view, this.chosen));
+    mechanism?.replaceChildren(...drawnSketch(this.sketch, this.view, this.chosen.drawn ? {} : this.chosen));
     this.under();
     this.drawOver();
   }
 
-  /** Squares of the paper: every tenth line is stronger. */
-  squares() {
-    const { view } = this;
-    const step = view.square;
-    const [left, top] = view.place([0, 0]);
-    const [right, low] = view.place([view.width, view.height]);
-    let fine = "";
-    let coarse = "";
-    const add = (/** @type {number} */ n, /** @type {string} */ d) => (n % 10 === 0 ? (coarse += d) : (fine += d));
-    for (let n = Math.ceil(left / step); n * step <= right; n += 1) add(n, `M${view.dots([n * step, 0])[0].toFixed(1)} 0V${view.height}`);
-    for (let n = Math.ceil(low / step); n * step <= top; n += 1) add(n, `M0 ${view.dots([0, n * step])[1].toFixed(1)}H${view.width}`);
-    return [drawnElement("path", { class: "fine", d: fine }), drawnElement("path", { class: "coarse", d: coarse })];
+  /** Where the pointer, or the cross of the keys, is. */
+  whereabouts() {
+    const place = this.rubber.to?.place ?? this.cross;
+    return place === null || this.sketch === null ? "" : whereabouts(place, countedFrom(this.sketch), this.mm);
   }
 
   /** What is being drawn: a line, what it is in line with, what will be joined; the cross of the keys. */
   drawOver() {
     const { view, rubber } = this;
     const made = [];
+    this.at.textContent = this.whereabouts();
     if (rubber.to !== null) {
       const [x, y] = view.dots(rubber.to.place);
       for (const line of rubber.to.lines) made.push(drawnElement("path", { class: "in-line", d: `M${line.map((one) => view.dots(one).join(" ")).join("L")}` }));

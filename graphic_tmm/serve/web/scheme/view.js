@@ -99,6 +99,16 @@ export class View {
     ];
   }
 
+  /**
+   * Show a place in the middle of the window.
+   * @param {number} scale
+   * @param {Place} middle
+   */
+  lie(scale, [x, y]) {
+    this.scale = Math.min(Math.max(scale, LEAST), MOST);
+    this.origin = [this.width / 2 - x * this.scale, this.height / 2 + y * this.scale];
+  }
+
   /** The side of the squares that are drawn, m. */
   get square() {
     const fine = SQUARES.find((one) => (one * this.scale) / 1000 >= CLEAR) ?? SQUARES.at(-1) ?? 1;
