@@ -87,3 +87,54 @@ def test_millimetres_are_counted_from_the_first_support(
     page.mouse.move(hand.box["x"] + u, hand.box["y"] + v)
     expect(page.locator(".scheme-at")).to_contain_text(", y = 0 mm")
     assert u > x
+
+
+def test_numbers_of_links_stand_clear_of_letters_and_of_other_bars(
+    tmp_path: Path, tab_of: Callable[..., Tab]
+) -> None:
+    """A short crank under a long rocker, a mass centre in the middle of the rod."""
+    with serving(tmp_path) as address:
+        tab = tab_of("draw", gallery=address)
+        page = tab.page
+        hand = SchemeHand(tab)
+        hand.drag((400, 342), (452, 310))
+        hand.take("support")
+        hand.click((400, 342))
+        hand.drag((400, 525), (501, 110))
+        hand.drag((501, 110), (704, 108))
+        hand.take("centre")
+        hand.click((602, 109))
+        hand.says("W = ")
+        page.locator(".scheme[aria-busy=false]").wait_for()
+        boxes = """(them) => them.map((one) => one.getBBox()).map((b) => [b.x, b.y, b.width, b.height])"""
+        numbers = page.locator(".scheme-paper text.number")
+        names = numbers.all_text_contents()
+        assert names == ["1", "2", "3"]
+        for x, y, width, height in numbers.evaluate_all(boxes):
+            for u, v, w, h in page.locator(".scheme-paper text.letter").evaluate_all(boxes):
+                assert x + width < u or u + w < x or y + height < v or v + h < y
+        one, two, _ = ((x + w / 2, y + h / 2) for x, y, w, h in numbers.evaluate_all(boxes))
+        # neither on the bar of the other, which they are drawn along
+        assert _from_bar(one, hand.pin("C"), hand.pin("B")) > 10
+        assert _from_bar(two, (400, 342), (452, 310)) > 10
+        letter = page.locator(".scheme-paper text.letter", has_text="A").bounding_box()
+        page.mouse.move(hand.box["x"] + 700, hand.box["y"] + 400)
+        page.mouse.down()
+        page.mouse.move(hand.box["x"] + 500, hand.box["y"] + 350)
+        page.mouse.move(hand.box["x"] + 452, hand.box["y"] + 310)
+        joined = page.locator(".scheme-paper text.says").bounding_box()
+        assert (
+            joined["y"] + joined["height"] <= letter["y"]
+            or letter["x"] + letter["width"] < joined["x"]
+        )
+        page.mouse.up()
+        page.goto("about:blank")
+
+
+def _from_bar(
+    spot: tuple[float, float], start: tuple[float, float], end: tuple[float, float]
+) -> float:
+    """How far a spot is from a bar, dots."""
+    p, a, b = complex(*spot), complex(*start), complex(*end)
+    share = min(max(((p - a) / (b - a)).real, 0.0), 1.0)
+    return abs(p - a - share * (b - a))

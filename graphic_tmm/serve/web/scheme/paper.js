@@ -143,7 +143,7 @@ export class Paper {
       for (const line of rubber.to.lines) made.push(drawnElement("path", { class: "in-line", d: `M${line.map((one) => view.dots(one).join(" ")).join("L")}` }));
       if (rubber.from !== null) made.push(drawnElement("path", { class: "rubber", d: `M${view.dots(rubber.from).join(" ")}L${x} ${y}` }));
       if (rubber.to.letter !== undefined || rubber.to.bar !== undefined) made.push(drawnElement("circle", { class: "joins", cx: x, cy: y, r: RING }));
-      if (rubber.says !== "") made.push(says(rubber.says, x, y - RING - 8));
+      if (rubber.says !== "") made.push(says(rubber.says, x, y - RING - above(rubber.to)));
     }
     const { letter, drawn } = this.chosen;
     if (letter !== undefined && !drawn && this.sketch !== null) {
@@ -174,6 +174,14 @@ export class Paper {
     const box = this.svg.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
   }
+}
+
+/**
+ * How far above its ring it is said what is meant: the letter of a pin stands between.
+ * @param {Meant} to
+ */
+function above(to) {
+  return to.letter === undefined ? 8 : 24;
 }
 
 /**

@@ -1,4 +1,5 @@
 import { drawnElement } from "../../../page/web/dom.js";
+import { numberAt } from "./numbers.js";
 import { alongOf, apart, bodiesAt, bodyOf, cornersOf, cylinderOf, frameOf, lineOf, minus, movingOf, placeOf, stonesAt, unit } from "./sketch.js";
 import { weldSigns } from "./weld-signs.js";
 
@@ -23,6 +24,8 @@ const HATCH = 8;
 /** How far a letter stands from its pin. */
 const LETTER = 17;
 const CENTRE = 8;
+/** A letter beside a stone stands so much farther. */
+const BESIDE_STONE = 8;
 /** The circle on which the arrow of the driving link stands. */
 const DRIVE = 30;
 
@@ -63,24 +66,6 @@ function bar(sketch, body, view, lit) {
   const at = numberAt(sketch, body, view);
   if (at !== null) made.push(drawnElement("text", { class: `number${lit}`, x: round(at[0]), y: round(at[1]) }, text(String(body.number))));
   return made;
-}
-
-/**
- * Return where the number of a link stands: beside the middle of its longest bar, or under its stone.
- * @param {Sketch} sketch
- * @param {Body} body
- * @param {View} view
- * @returns {Dots | null}
- */
-function numberAt(sketch, body, view) {
-  const dots = cornersOf(sketch, body).map((one) => view.dots(placeOf(sketch, one)));
-  const [first] = dots;
-  if (first === undefined) return null;
-  if (dots.length === 1) return [first[0] + 22, first[1] + 20];
-  if (dots.length > 2) return [mean(dots.map((one) => one[0])), mean(dots.map((one) => one[1]))];
-  const last = /** @type {Dots} */ (dots[1]);
-  const [x, y] = unit(minus(last, first));
-  return [(first[0] + last[0]) / 2 + 14 * y, (first[1] + last[1]) / 2 - 14 * x];
 }
 
 /**
@@ -167,10 +152,11 @@ function pin(sketch, letter, view, lit) {
   const joins = bodies.length > 1;
   const centre = !joins && bodies.some((one) => one.centre === letter);
   const made = centre
-    ? drawnElement("path", { class: `centre${lit}`, d: `M${round(x - CENTRE)} ${round(y)}h${2 * CENTRE}M${round(x)} ${round(y - CENTRE)}v${2 * CENTRE}` })
+    ? drawnElement("path", { class: `centre${lit}`, d: `M${round(x - CENTRE)} ${round(y)}a${CENTRE} ${CENTRE} 0 1 0 ${2 * CENTRE} 0a${CENTRE} ${CENTRE} 0 1 0 ${-2 * CENTRE} 0h${2 * CENTRE}M${round(x)} ${round(y - CENTRE)}v${2 * CENTRE}` })
     : drawnElement("circle", { class: `pin${lit}${joins ? " joined" : ""}`, cx: round(x), cy: round(y), r: joins ? PIN : PIN - 1.5 });
   const [u, v] = besideWay(sketch, letter, view);
-  const name = drawnElement("text", { class: `letter${lit}`, x: round(x + LETTER * u), y: round(y + LETTER * v) }, text(letter));
+  const far = stonesAt(sketch, letter).length > 0 ? LETTER + BESIDE_STONE : LETTER;
+  const name = drawnElement("text", { class: `letter${lit}`, x: round(x + far * u), y: round(y + far * v) }, text(letter));
   return [made, name];
 }
 
@@ -231,11 +217,6 @@ function arrow(sketch, number, view) {
 /** @param {string} says */
 function text(says) {
   return /** @type {any} */ (document.createTextNode(says));
-}
-
-/** @param {number[]} row */
-function mean(row) {
-  return row.reduce((sum, one) => sum + one, 0) / row.length;
 }
 
 /** @param {number} dots */
