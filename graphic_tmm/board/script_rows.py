@@ -17,7 +17,7 @@ from typing import Any, NewType
 import numpy as np
 
 from graphic_tmm.board import geometry
-from graphic_tmm.board.operations import curve, graphs
+from graphic_tmm.board.operations import curve, graph_curves, graphs
 from graphic_tmm.board.record import Step
 from graphic_tmm.board.script import Script, Written
 from graphic_tmm.board.source import NotCompiled, defaults
@@ -69,6 +69,7 @@ _HELPERS: Mapping[Any, str] = {
     graphs.knot_before: "knot_before",
     curve.periodic: "periodic",
     curve.natural: "natural",
+    graph_curves.free_ends: "free_ends",
     abs: "abs",
     range: "arange",
     sum: "total",

@@ -95,15 +95,17 @@ def open_graph(through: Point, end: Point, *, row: int) -> Curve:
 def open_graph_of_middles(through: Point, *, row: int) -> Curve:
     """Through the points {through} draw the smooth curve {it} and go on by half an interval at both ends."""
     inner = _open(through[:, :row])
-    ends = []
-    for k, u in ((0, -1.0), (row - 2, 2.0)):
-        p, q = inner.knots[:, k : k + 1], inner.knots[:, k + 1 : k + 2]
-        m, n = inner.tangents[:, k : k + 1], inner.tangents[:, k + 1 : k + 2]
-        bend, twist = 3 * (q - p) - 2 * m - n, 2 * (p - q) + m + n
-        ends.append((p + u * (m + u * (bend + u * twist)), m + u * (2 * bend + 3 * u * twist)))
-    (first, rise), (last, fall) = ends
+    (first, rise), (last, fall) = (_carried_on(inner, k, u) for k, u in ((0, -1.0), (row - 2, 2.0)))
     knots = np.concatenate([first, inner.knots, last], axis=1)
     return Curve(knots, np.concatenate([rise, inner.tangents, fall], axis=1), False)
+
+
+def _carried_on(curve: Curve, k: int, u: float) -> tuple[Complexes, Complexes]:
+    """Return the place and the tangent at ``u`` of the cubic that arc ``k`` of a curve is, beyond its ends."""
+    p, q = curve.knots[:, k : k + 1], curve.knots[:, k + 1 : k + 2]
+    m, n = curve.tangents[:, k : k + 1], curve.tangents[:, k + 1 : k + 2]
+    bend, twist = 3 * (q - p) - 2 * m - n, 2 * (p - q) + m + n
+    return p + u * (m + u * (bend + u * twist)), m + u * (2 * bend + 3 * u * twist)
 
 
 @operation(

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from graphic_tmm.board.geometry import unit
+from graphic_tmm.board.geometry import unit, vector
 from graphic_tmm.board.grammar import FREE, SLIDE, WHOLE_ROW, operation
 from graphic_tmm.board.operations.curve import stationary
 from graphic_tmm.board.values import Complexes, Curve, Length, Line, Number, Point, Reals
@@ -151,9 +151,8 @@ def _between(p: Reals, q: Reals, m: Reals, n: Reals, u: Reals) -> Reals:
 )
 def touching(curve: Curve, foot: Point) -> Line:
     """Above {foot} draw the tangent {it} to the curve {curve}."""
-    return Line(
-        erect.run(curve, foot), unit(np.asarray(1.0 + 1j * rise_of(curve, foot), np.complex128))
-    )
+    rise = rise_of(curve, foot)
+    return Line(erect.run(curve, foot), unit(vector(np.full_like(rise, 1.0), rise)))
 
 
 def rise_of(curve: Curve, foot: Complexes) -> Reals:

@@ -13,9 +13,7 @@ LIVE: dict[str, str] = {
     "copy keys": said("Copy as TOML"),
     "put keys": said("Put into my scene"),
     "copied": said("Copied."),
-    "of several": said(
-        "{letter} is not a single number of [frame], [[link]] or [drive]: it is left out."
-    ),
+    "of several": said("{letter} is not a single number of the scene: it is left out."),
     "breaks": said("It cannot be assembled with {value}: {why}. Everything stands where it was."),
     "exists": said("It exists over {share} of the turn."),
     "own lengths": said("Lengths of your own, exact: nothing is rounded as with a ruler."),

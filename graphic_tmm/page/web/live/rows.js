@@ -1,6 +1,6 @@
 import { ARITHMETIC } from "../practice/arithmetic.js";
 import { along, at, depth, enterValues, ofTwoArrays, ofEachValue, shape } from "./arrays.js";
-import { naturalTangents, periodicTangents } from "./splines.js";
+import { freeTangents, naturalTangents, periodicTangents } from "./splines.js";
 
 /**
  * @typedef {import("./arrays.js").Nested} Nested
@@ -169,6 +169,7 @@ export const ROWS = {
   size: (/** @type {Nested} */ x) => shape(x).reduce((a, b) => a * b, 1),
   periodic: (/** @type {Nested} */ x) => along(x, -1, periodicTangents),
   natural: naturalTangents,
+  free_ends: (/** @type {Nested} */ x) => along(x, -1, freeTangents),
   take,
   put,
 };
