@@ -23,7 +23,7 @@ const CAPITAL = 5;
 const LARGEST = 2.2;
 /** At fewer px a millimetre lines are drawn broader. */
 const SEEN = 2;
-const FIT = "M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5";
+const FIT = "M10.5 4a6.5 6.5 0 1 0 .1 0M15 15l5 5M10.5 8v5M8 10.5h5";
 /** White about a drawing that is fitted, mm. */
 const ABOUT = 6;
 

@@ -105,6 +105,7 @@ export class PageFrame {
     this.next = null;
     made.className = "";
     this.nothing.hidden = true;
+    made.contentDocument?.documentElement.classList.add("framed");
     this.dress();
     this.offer(made.contentDocument);
     if (focused) made.contentWindow?.focus();

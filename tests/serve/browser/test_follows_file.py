@@ -159,6 +159,10 @@ def test_a_page_has_the_window_until_something_is_wrong(studio: Tab, scene: Path
     studio.page.get_by_role("tab", name="Plans step by step").click()
     studio.page.locator("iframe:not(.coming)").wait_for()
     expect(aside).to_be_hidden()
+    inner = studio.page.frame_locator("iframe:not(.coming)")
+    inner.get_by_role("tab").first.wait_for()
+    expect(inner.get_by_role("heading", level=1)).to_be_hidden()
+    expect(inner.locator("#aids button:visible")).to_have_count(1)
     saved(scene, SMALL.replace('"0.3 m"', '"0.3 kg"'))
     expect(aside).to_be_visible()
 
