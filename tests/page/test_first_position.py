@@ -20,7 +20,9 @@ def test_the_crank_stands_where_most_plans_are_drawn() -> None:
     plans = [view["position"] for view in page_data(made, sheets)["views"]]
     free = replace(drawn, project=replace(drawn.project, scene=replace(drawn.scene, main=None)))
     first = drawn.names[first_asked(free, plans)]
-    forced = {view["position"] for view in page_data(made, sheets)["views"] if "forces" in view["plan"]}
+    forced = {
+        view["position"] for view in page_data(made, sheets)["views"] if "forces" in view["plan"]
+    }
     assert first in forced
     assert plans.count(first) == max(plans.count(name) for name in drawn.names)
     assert drawn.names[first_asked(drawn, plans)] == drawn.scene.main

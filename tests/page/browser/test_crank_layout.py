@@ -1,4 +1,4 @@
-"""The room of the crank in a browser: what belongs together is in sight together, the wheel scrolls."""
+"""The crank in a browser: what belongs together is on the screen together, the wheel scrolls everywhere."""
 
 from __future__ import annotations
 
@@ -91,8 +91,8 @@ def test_home_and_end_scroll_unless_the_crank_has_the_focus(page_of: Begin) -> N
 
 LETTERS = """() => [...document.querySelectorAll("#crank .lead .stays, #crank .lead .letters > g")]
   .filter((one) => getComputedStyle(one).visibility !== "hidden").map((one) => {
-    const paths = [...one.querySelectorAll("path:not([stroke='var(--paper)'])")];
-    const boxes = paths.map((path) => path.getBoundingClientRect());
+    const boxes = [...one.querySelectorAll("path:not([stroke='var(--paper)'])")]
+      .map((path) => path.getBoundingClientRect());
     return [Math.min(...boxes.map((box) => box.left)), Math.min(...boxes.map((box) => box.top)),
       Math.max(...boxes.map((box) => box.right)), Math.max(...boxes.map((box) => box.bottom))]; })"""
 """What letters of the mechanism take on the screen, px: without the white about them."""
@@ -129,7 +129,7 @@ def test_letters_lie_on_no_pin_and_on_no_other_letter_in_any_position(
 NUMBERS = """() => [...document.querySelectorAll("#crank .lead .stays")]
   .filter((one) => getComputedStyle(one).visibility !== "hidden").map((one) => {
     const { left, top, right, bottom } = one.getBoundingClientRect();
-  return [(left + right) / 2, (top + bottom) / 2]; })"""
+    return [(left + right) / 2, (top + bottom) / 2]; })"""
 
 
 def test_numbers_of_positions_stay_about_the_circle_of_the_pin(page_of: Begin) -> None:
@@ -155,9 +155,12 @@ def test_nothing_moves_when_a_message_comes_or_goes(page_of: Begin) -> None:
     page.locator(".lengths summary").first.click()
     page.evaluate(FRAMES)
     field = page.get_by_role("textbox", name="l_AB, value")
-    places = """() => [...document.querySelectorAll(".lengths input, #crank .row button, #crank .lead svg")].map((one) => {
-      const { left, top, width, height } = one.getBoundingClientRect(); return [left, top, width, height]; })"""
-    before, said = page.evaluate(places), set()
+    places = """() => [
+      ...document.querySelectorAll(".lengths input, #crank .row button, #crank .lead svg")].map((one) => {
+      const { left, top, width, height } = one.getBoundingClientRect();
+      return [left, top, width, height]; })"""
+    before = page.evaluate(places)
+    said: set[str | None] = set()
     for text in ("64", "26", "many", "60"):
         field.fill(text)
         field.press("Enter")
