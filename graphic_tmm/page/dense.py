@@ -236,7 +236,7 @@ def _runs(places: Sequence[int]) -> Iterator[list[int]]:
 
 
 def first_asked(drawn: Drawn, plans: Sequence[str]) -> int:
-    """Return the position that the crank stands in first: the author's, else that of which most plans are drawn.
+    """Return the position that the crank stands in first: the author's, or that of which most plans are drawn.
 
     ``plans``: the position of each plan that is drawn for one. Forces are asked for in few; the main position
     comes first of several with as many plans.

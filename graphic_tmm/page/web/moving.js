@@ -50,7 +50,7 @@ export class Moving {
     for (const line of figure.lines) this.line(line, rows, pens);
     for (const layer of pens.values()) if (layer.childElementCount > 0) this.body.append(layer);
     this.svg.append(this.body);
-    const stays = (figure.stands ?? []).map(([n, x, y]) => drawnElement("g", { class: "stays", transform: `translate(${x} ${-y})` }, written(dense.glyphs[n])));
+    const stays = (figure.stands ?? []).map(([n, x, y]) => drawnElement("g", { class: "stays", transform: `translate(${hundredths(x)} ${hundredths(-y)})` }, written(dense.glyphs[n])));
     this.svg.append(...stays);
     this.numbers = numbersAboutPin(dense, figure, this.svg, /** @type {SVGGraphicsElement[]} */ (stays));
     const letters = drawnElement("g", { class: "letters" });

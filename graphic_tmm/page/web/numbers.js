@@ -1,4 +1,5 @@
 import { turnAt } from "./dense.js";
+import { hundredths } from "./strokes.js";
 
 /**
  * @typedef {import("./types.js").Complex} Complex
@@ -44,7 +45,8 @@ export function numbersAboutPin(dense, figure, svg, stays) {
       const box = made.getBBox();
       const [u, v] = [box.x + box.width / 2, -box.y - box.height / 2];
       const [p, q] = [off.re + u, off.im + v];
-      made.setAttribute("transform", `translate(${now.re + cos * p - sin * q - u} ${v - now.im - sin * p - cos * q})`);
+      const place = [now.re + cos * p - sin * q - u, v - now.im - sin * p - cos * q];
+      made.setAttribute("transform", `translate(${place.map(hundredths).join(" ")})`);
     }
   };
 }
