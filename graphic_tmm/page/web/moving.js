@@ -12,9 +12,7 @@ import { hundredths, pathOf, placeOf } from "./strokes.js";
  * @typedef {import("./live/liveink.js").LiveInk} LiveInk
  */
 
-/**
- * A figure that moves with the crank: built once, then only what changes is told anew.
- */
+/** A figure that moves with the crank: built once, then only what changes is told anew. */
 export class Moving {
   /**
    * @param {Dense} dense

@@ -74,7 +74,7 @@ export class LiveChart {
   linesOf([first = -1, last = -1, x = 0, y = 0, before = 0, behind = 0], now) {
     const [, , count] = this.dense.numbers ?? [0, 0, now.length];
     const lines = now.slice(0, count).map((marks) => {
-      const [from, to] = [spotOf(marks[first]), spotOf(marks[last])];
+      const [from, to] = [spotOfMark(marks[first]), spotOfMark(marks[last])];
       if (from === null || to === null) return "";
       const long = Math.hypot(to.re - from.re, to.im - from.im) || 1;
       const on = (/** @type {number} */ by) => `${hundredths(x + from.re + by * (to.re - from.re))} ${hundredths(y - from.im - by * (to.im - from.im))}`;
@@ -107,7 +107,7 @@ export class LiveChart {
    */
   wayOfDot([slot = -1], at, now) {
     const k = Math.max(at, 0);
-    const [from, to] = [spotOf(this.own[k]?.[slot]), spotOf(now[k]?.[slot])];
+    const [from, to] = [spotOfMark(this.own[k]?.[slot]), spotOfMark(now[k]?.[slot])];
     return from === null || to === null ? null : { re: to.re - from.re, im: to.im - from.im };
   }
 
@@ -211,7 +211,7 @@ function letFollow(part, way, sign) {
  * Return a point, or where a line begins.
  * @param {AcrossMark} mark
  */
-function spotOf(mark) {
+function spotOfMark(mark) {
   return knownPoint(isLine(mark) ? mark.at : mark);
 }
 

@@ -55,10 +55,10 @@ export function freeTangents(points) {
   const last = points.length - 1;
   const at = (/** @type {number} */ k) => points[k] ?? NaN;
   if (last === 1) return points.map(() => OF_KNOTS.minus(at(1), at(0)));
-  if (last === 2) return [-1, 0, 1].map((by) => sumOf([by - 0.5, at(0)], [-2 * by, at(1)], [by + 0.5, at(2)]));
-  const right = points.map((_, k) => sumOf([3, at(k + 1)], [-3, at(k - 1)]));
-  right[0] = sumOf([-2.5, at(0)], [2, at(1)], [0.5, at(2)]);
-  right[last] = sumOf([2.5, at(last)], [-2, at(last - 1)], [-0.5, at(last - 2)]);
+  if (last === 2) return [-1, 0, 1].map((by) => sumOfKnots([by - 0.5, at(0)], [-2 * by, at(1)], [by + 0.5, at(2)]));
+  const right = points.map((_, k) => sumOfKnots([3, at(k + 1)], [-3, at(k - 1)]));
+  right[0] = sumOfKnots([-2.5, at(0)], [2, at(1)], [0.5, at(2)]);
+  right[last] = sumOfKnots([2.5, at(last)], [-2, at(last - 1)], [-0.5, at(last - 2)]);
   const [low, high] = [(/** @type {number} */ k) => (k === last ? 2 : 1), (/** @type {number} */ k) => (k === 0 ? 2 : 1)];
   /** @type {number[]} */
   const main = points.map((_, k) => (k === 0 || k === last ? 1 : 4));
@@ -67,16 +67,16 @@ export function freeTangents(points) {
   for (let k = 1; k <= last; k++) {
     const share = low(k) / mainAt(k - 1);
     main[k] = mainAt(k) - share * high(k - 1);
-    right[k] = sumOf([1, rightAt(k)], [-share, rightAt(k - 1)]);
+    right[k] = sumOfKnots([1, rightAt(k)], [-share, rightAt(k - 1)]);
   }
   right[last] = OF_KNOTS.times(1 / mainAt(last), rightAt(last));
   for (let k = last - 1; k >= 0; k--) {
-    right[k] = OF_KNOTS.times(1 / mainAt(k), sumOf([1, rightAt(k)], [-high(k), rightAt(k + 1)]));
+    right[k] = OF_KNOTS.times(1 / mainAt(k), sumOfKnots([1, rightAt(k)], [-high(k), rightAt(k + 1)]));
   }
   return right;
 }
 
 /** @param {[number, Figure][]} parts each so many times */
-function sumOf(...parts) {
+function sumOfKnots(...parts) {
   return parts.reduce((/** @type {Figure} */ whole, [by, one]) => OF_KNOTS.plus(whole, OF_KNOTS.times(by, one)), 0);
 }
