@@ -167,6 +167,8 @@ class Traces:
             return False
         if any(self.values[node][t].real != own.guards[node] for node in own.taken):
             return False
+        if (own.places, own.bulges) == (variant.places, variant.bulges):
+            return True
         due = [self.values[node][t] for node in (*own.places, *own.bulges)]
         told = [self.values[node][t] for node in (*variant.places, *variant.bulges)]
         return len(due) == len(told) and bool(np.abs(np.subtract(due, told)).max() < SAME)
@@ -194,6 +196,7 @@ def _drawn(among: Expressions, at: Any, k: int) -> Iterator[tuple[Key, _Seen]]:
     among.begin()
     drawing: Drawing = at(k)
     met, before = Counter[object](), 0
+    held = _Held(among)
     for stroke in drawing.strokes:
         if isinstance(stroke, Stroke):
             flat: list[Any] = [value for vertex in stroke.path for value in vertex]
@@ -203,7 +206,7 @@ def _drawn(among: Expressions, at: Any, k: int) -> Iterator[tuple[Key, _Seen]]:
                 places = map(among.place, nodes[::3], nodes[1::3])
                 since = max((one.seen for one in flat if isinstance(one, Traced)), default=0)
                 drawn = tuple(places), tuple(nodes[2::3])
-                yield line_key(stroke, met), _seen(among, before, since, *drawn, stroke.of)
+                yield line_key(stroke, met), _seen(held, before, since, *drawn, stroke.of)
                 before = since
     for one in drawing.wanted:
         at_ = untraced(one.at)
@@ -211,11 +214,31 @@ def _drawn(among: Expressions, at: Any, k: int) -> Iterator[tuple[Key, _Seen]]:
             # whether it stands alone is compared when its place is known
             since = len(among.guards)
             node = node_of(one.at, among)
-            yield letter_key(one, met), _seen(among, since, since, (node,), (), one.of)
+            yield letter_key(one, met), _seen(held, since, since, (node,), (), one.of)
+
+
+class _Held:
+    """What was compared in a drawing, by how many guards were there when something of it was made."""
+
+    def __init__(self, among: Expressions) -> None:
+        self.among = among
+        self._known: dict[int, tuple[list[bool], dict[int, bool], tuple[int, ...]]] = {}
+
+    def since(self, count: int) -> tuple[list[bool], dict[int, bool], tuple[int, ...]]:
+        """Return which guards mattered then, how these came out, which of them need not have come out so."""
+        found = self._known.get(count)
+        if found is None:
+            some = self.among.guards[:count]
+            own = [one.node >= 0 and not 0 < one.until <= count for one in some]
+            before = [one for one, matters in zip(some, own, strict=True) if matters]
+            guards = {one.node: one.found for one in before}
+            taken = tuple(one.node for one in before if one.taken)
+            found = self._known[count] = own, guards, taken
+        return found
 
 
 def _seen(
-    among: Expressions,
+    held: _Held,
     last: int,
     since: int,
     places: tuple[int, ...],
@@ -226,17 +249,15 @@ def _seen(
 
     ``last``: so many were there when something was drawn before it.
     """
-    of_use = [one.node >= 0 and not 0 < one.until <= since for one in among.guards[:since]]
-    before = [one for one, own in zip(among.guards, of_use, strict=False) if own]
-    near = [one.node for one, own in zip(among.guards[last:], of_use[last:], strict=False) if own]
+    among = held.among
+    own, guards, taken = held.since(since)
     marks = 0
     for node in (*places, *bulges):
         marks |= among.marks[node]
     for slot in of:
         marks |= 1 << slot
-    guards = {one.node: one.found for one in before}
-    taken = tuple(one.node for one in before if one.taken)
-    return _Seen(places, bulges, guards, frozenset(near), taken, marks)
+    near = frozenset(among.guards[k].node for k in range(last, since) if own[k])
+    return _Seen(places, bulges, guards, near, taken, marks)
 
 
 class Followed(NamedTuple):

@@ -127,17 +127,22 @@ class FigureTies:
         tried = trials(found, self.among)
         rows = [{one.name: one for one in figures(one.drawn)} for one in tried]
         tracing = Tracing(self.among, tried, found.whole)
-        self.ties = {
+        tied = {
             name: self._ties(tracing, [one[name] for one in rows], strands)
             for name, strands in made.items()
         }
+        self.ties = {name: ties for name, (ties, _) in tied.items()}
+        self.whole = {name: whole for name, (_, whole) in tied.items()}
         every = (one for ties in self.ties.values() for own in ties.values() for one in own)
         self.pack = TiesPack(self.among, every)
 
     def _ties(
         self, tracing: Tracing, figures: Sequence[Moving], made: Strands
-    ) -> dict[Key, tuple[Variant, ...]]:
-        """Return what is tied of a figure, traced at further angles where it is not drawn as at the others."""
+    ) -> tuple[dict[Key, tuple[Variant, ...]], set[Key]]:
+        """Return what is tied of a figure, and of what that tells all that its rows do.
+
+        It is traced at further angles where it is not drawn as at the others.
+        """
         traces = tracing.traced(figures)
         ties = self._known(traces)
         values = self._values(ties, made)
@@ -148,17 +153,21 @@ class FigureTies:
         further = [made.drawn[k] for k in np.flatnonzero(missing)]
         if further:
             ties = self._known(tracing.traced(figures, further, traces))
-        found = self._followed(ties, made)
-        return {
+            values = self._values(ties, made)
+        found = self._followed(ties, made, values)
+        near = {
             key: own if found[key].apart <= APART or not isinstance(key, MovingStroke) else ()
             for key, own in ties.items()
         }
+        return near, {key for key, one in found.items() if one.whole}
 
     def _followed(
-        self, ties: Mapping[Key, tuple[Variant, ...]], made: Strands
+        self,
+        ties: Mapping[Key, tuple[Variant, ...]],
+        made: Strands,
+        values: Mapping[int, Complexes],
     ) -> dict[Key, Followed]:
         """Return how what is tied tells the rows of a figure; what has none is told whole."""
-        values = self._values(ties, made)
         shown = np.any([np.isfinite(row[:, 0]) for row in made.rows.values()], axis=0)
         return {
             key: followed(own, values, made.rows[key], shown, bent=isinstance(key, MovingStroke))
@@ -186,10 +195,11 @@ class FigureTies:
 
     def of(self, name: str) -> dict[Key, Tied]:
         """Return what is tied of a figure."""
-        ties = self.ties[name]
-        told = self._followed(ties, self.made[name])
+        whole = self.whole[name]
         return {
-            key: Tied(self.pack.variants(own), told[key].whole) for key, own in ties.items() if own
+            key: Tied(self.pack.variants(own), key in whole)
+            for key, own in self.ties[name].items()
+            if own
         }
 
     @property

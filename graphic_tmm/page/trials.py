@@ -114,4 +114,8 @@ def values_of(
 
     at = list(angles)
     found = among.values(lambda slot, part: mark(slot, part)[at], over_turn, covered, only)
-    return {k: np.broadcast_to(value, (len(at),)) for k, value in found.items()}
+    alone = (len(at),)
+    return {
+        k: value if value.shape == alone else np.broadcast_to(value, alone)
+        for k, value in found.items()
+    }

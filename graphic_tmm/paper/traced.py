@@ -91,8 +91,18 @@ class Traced(complex):
         if not (isinstance(first, _NUMBERS) and isinstance(second, _NUMBERS)):
             return NotImplemented
         among = self.among
-        node = among.node(op, node_of(first, among), node_of(second, among))
-        return Traced(_PLAIN[op](untraced(first), untraced(second)), among, node)
+        # most of what tracing costs is here: each number is looked at once
+        if isinstance(first, Traced):
+            a, m = complex.__pos__(first), first.node
+        else:
+            a = complex(first)
+            m = among.number(a)
+        if isinstance(second, Traced):
+            b, n = complex.__pos__(second), second.node
+        else:
+            b = complex(second)
+            n = among.number(b)
+        return Traced(_PLAIN[op](a, b), among, among.node(op, m, n))
 
     def _nodes(self, *values: complex) -> list[int]:
         return [node_of(one, self.among) for one in values]
