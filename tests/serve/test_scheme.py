@@ -14,7 +14,7 @@ import pytest
 from support.driven_scenes import NARROW
 from support.gallery import SHEETS
 from support.served import SMALL
-from support.slider_sketch import PLACES, body, crank_and_slider
+from support.slider_sketch import crank_and_slider
 from support.strangers import FILES
 
 import graphic_tmm
@@ -155,34 +155,6 @@ def test_what_a_hand_clicks_is_the_mechanism_that_was_meant() -> None:
     assert sum(here < 0.03 for _, _, here in found) >= 0.98 * len(found)
     assert sum(off < 0.03 for _, off, _ in found) >= 0.94 * len(found)
     assert max(off for _, off, _ in found) < 0.15  # another assembly is off by its whole height
-
-
-UNFINISHED: list[tuple[list[dict[str, Any]], int | None, int | None, str]] = [
-    ([body(0)], None, None, "Draw a link"),
-    ([body(0), body(1, "O", "A")], None, 3, "W = 3: a support, a slider"),
-    ([body(0, "O"), body(1, "O", "A")], None, 1, "say which link is driven"),
-    (
-        [body(0, "O"), body(1, "O", "A"), body(2, "A", "B")],
-        1,
-        2,
-        "O(1,0), A(1,2); joined with nothing: B",
-    ),
-    ([body(0, "O", "B"), body(1, "O", "A"), body(2, "A", "B")], 1, 0, "a pair is too many"),
-    ([body(0, "O", "B"), body(1, "O", "A"), body(2, "A", "B")], None, 0, "nothing can move"),
-    ([body(0, "O"), body(1, "O", "A"), body(2, "B")], 1, 4, "link 2 is tied to nothing"),
-]
-
-
-@pytest.mark.parametrize(("links", "drive", "mobility", "says"), UNFINISHED)
-def test_what_is_missing_is_said(
-    links: list[dict[str, Any]], drive: int | None, mobility: int | None, says: str
-) -> None:
-    sketch = {"places": PLACES, "links": links, "drives": [] if drive is None else [drive]}
-    made = scheme(b"", Path("scheme.toml"), SchemeAct(sketch=sketch), EN)
-    assert made["mobility"] == mobility
-    assert says in made["says"]
-    assert made["text"] is None
-    assert made["sketch"] == sketch
 
 
 def test_a_new_scene_is_written_as_people_write_one() -> None:

@@ -12,7 +12,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
 from graphic_tmm.chapters.planetary import words as why
-from graphic_tmm.chapters.planetary.task import Motion, PlanetaryTask, Scheme, Train, motion_of
+from graphic_tmm.chapters.planetary.motion import Motion, motion_of
+from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme, Train
 from graphic_tmm.chapters.planetary.tooth_conditions import has_least_ring
 
 

@@ -152,67 +152,6 @@ def rate_of_last(held: Number, first: Number, carrier: Number) -> Number:
     """({first} − (1 − {held})·{carrier})/{held}"""
 
 
-@formula(
-    why=said(
-        "With the carrier held both meshes hand on their share of the power, one after the other."
-    )
-)
-def efficiency_held(mesh: Number) -> Number:
-    """{mesh}²"""
-
-
-_LOST = said(
-    "With the carrier held power flows from the wheel that drives in this motion to the other, which gets the "
-    "share {eta} of it: so are the torques of both."
-)
-
-
-@formula(why=_LOST)
-def ratio_of_torques(held: Number, eta: Number) -> Number:
-    """{held}·{eta}"""
-
-
-@formula(holds="{eta} ≠ 0", fails="no power is handed on", why=_LOST)
-def ratio_of_torques_back(held: Number, eta: Number) -> Number:
-    """{held}/{eta}"""
-
-
-_BALANCE = said(
-    "The torques on the three shafts balance, and the meshes give the ratio of two of them."
-)
-
-
-@formula(why=_BALANCE)
-def torque_of_last(first: Number, ratio: Number) -> Number:
-    """−{first}·{ratio}"""
-
-
-@formula(holds="{ratio} ≠ 0", fails=_NO_TEETH, why=_BALANCE)
-def torque_of_first(last: Number, ratio: Number) -> Number:
-    """−{last}/{ratio}"""
-
-
-@formula(holds="{ratio} ≠ 1", fails="the train is locked", why=_BALANCE)
-def torque_by_carrier(carrier: Number, ratio: Number) -> Number:
-    """−{carrier}/(1 − {ratio})"""
-
-
-@formula(why=_BALANCE)
-def third_torque(one: Number, other: Number) -> Number:
-    """−({one} + {other})"""
-
-
-@formula(
-    holds="{driving}·{omega} ≠ 0",
-    fails="no power is put in",
-    why=said("What power the driven shaft gives of that which is put in."),
-)
-def train_efficiency(
-    driven: Number, omega_driven: Number, driving: Number, omega: Number
-) -> Number:
-    """−{driven}·{omega_driven}/({driving}·{omega})"""
-
-
 @formula(why=said("A revolution is 2π, a minute 60 s."))
 def turns_a_minute(omega: Number) -> Number:
     """30·{omega}/π"""

@@ -8,9 +8,10 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.chapters.planetary.motion import Motion
 from graphic_tmm.chapters.planetary.pictures import VIEW, Disc
 from graphic_tmm.chapters.planetary.plan import Planetary
-from graphic_tmm.chapters.planetary.task import Motion, Scheme
+from graphic_tmm.chapters.planetary.task import Scheme
 from graphic_tmm.paper.drawing import Stroke, line
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.seen import Seen

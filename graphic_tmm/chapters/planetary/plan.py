@@ -12,6 +12,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
+from graphic_tmm.chapters.planetary.motion import Motion, motion_of
 from graphic_tmm.chapters.planetary.pictures import (
     VIEW,
     AxialView,
@@ -22,14 +23,7 @@ from graphic_tmm.chapters.planetary.pictures import (
     draw_pair,
 )
 from graphic_tmm.chapters.planetary.rates import Rates, VelocityPicture, draw_picture, draw_rates
-from graphic_tmm.chapters.planetary.task import (
-    ASKED,
-    PLANETARY_TRAIN,
-    Motion,
-    PlanetaryTask,
-    Train,
-    motion_of,
-)
+from graphic_tmm.chapters.planetary.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded

@@ -26,8 +26,9 @@ from graphic_tmm.chapters.planetary import formulas as f
 from graphic_tmm.chapters.planetary import words as why
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, draw_held
 from graphic_tmm.chapters.planetary.formulas import miss_of_ratio, ratio_of_segments
+from graphic_tmm.chapters.planetary.motion import Motion
 from graphic_tmm.chapters.planetary.pictures import EndView
-from graphic_tmm.chapters.planetary.task import Motion, Train
+from graphic_tmm.chapters.planetary.task import Train
 
 VELOCITIES = "planetary-velocities"
 RATES = "planetary-rates"

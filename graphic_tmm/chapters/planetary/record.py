@@ -6,18 +6,17 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
-from graphic_tmm.chapters.planetary.dimensions import draw_held, rings_of
+from graphic_tmm.chapters.planetary.dimensions import rings_of
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary, record
 from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
-from graphic_tmm.chapters.planetary.tooth_conditions import first_drives
+from graphic_tmm.chapters.planetary.torques import draw_torques
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
 
-CALCULATED, BEHIND, TORQUES = "planetary-calculation", "planetary-behind", "planetary-torques"
+CALCULATED, BEHIND = "planetary-calculation", "planetary-behind"
 """The views of what is calculated of the train, and behind it."""
 
 
@@ -96,52 +95,6 @@ def _most(bench: Bench, made: Planetary) -> Mark | None:
         for wheel, tip in sizes.tips.items()
     ]
     return draft.draw(t.fewer, "k_{max}", *rims)
-
-
-def draw_torques(
-    draft: Draft, made: Planetary
-) -> tuple[tuple[Mark, ...], dict[str, Mark], Mark | None]:
-    """Calculate the torques on the shafts from that on the driving one; the efficiency if one drives."""
-    order, motion = made.order, made.motion
-    if order.moment is None:
-        return (), {}, None
-    draft.open(TORQUES)
-    first, last = motion.first, motion.last
-    given = math.copysign(order.moment, motion.driving[first])
-    torques = {first: draft.take(Number, f"M_{first}", given, "N·m")}
-    ratio = draw_held(draft, made.train.scheme, made.sizes.teeth, f"U_{{1{last}}}^{{H}}")
-    lost = [ratio]
-    if order.mesh_efficiency < 1.0:
-        mesh = draft.take(Number, "η_m", order.mesh_efficiency)
-        held = draft.draw(t.efficiency_held, "η_0", mesh)
-        forward = first_drives(made.train, motion)
-        op = t.ratio_of_torques if forward else t.ratio_of_torques_back
-        ratio = draft.draw(op, "u", ratio, held)
-        lost += [held, ratio]
-    if first == "H":
-        torques["1"] = draft.draw(t.torque_by_carrier, "M_1", torques["H"], ratio, unit="N·m")
-        others = ("H", "1", last)
-    else:
-        op = t.torque_of_last if first == "1" else t.torque_of_first
-        other = last if first == "1" else "1"
-        torques[other] = draft.draw(op, f"M_{other}", torques[first], ratio, unit="N·m")
-        others = (first, other, "H")
-    one, two, third = others
-    torques[third] = draft.draw(
-        t.third_torque, f"M_{third}", torques[one], torques[two], unit="N·m"
-    )
-    if not motion.fixed:
-        return tuple(lost), torques, None
-    rates = made.rates.values
-    share = draft.draw(
-        t.train_efficiency,
-        "η",
-        torques[motion.driven],
-        rates[motion.driven],
-        torques[first],
-        rates[first],
-    )
-    return tuple(lost), torques, share
 
 
 def _speed(bench: Bench, made: Planetary) -> Mark | None:

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
-from graphic_tmm.board.bounds import Bound, TaskError
+from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, bound_of, combined_key, key
+from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
 from graphic_tmm.scene.misfits import stands
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -61,29 +60,6 @@ SCHEMES: Mapping[str, Scheme] = MappingProxyType(
 """The schemes by name."""
 
 
-class Motion(NamedTuple):
-    """Which of the three coaxial members of a train move, and how.
-
-    ``driving``: angular velocities that are given, 1/s, by the member; ``fixed``: the member that stands, "" in
-    a differential, where two are given; ``driven``: the one that is left; ``last``: the second central wheel.
-    """
-
-    driving: Mapping[str, float]
-    fixed: str
-    driven: str
-    last: str
-
-    @property
-    def first(self) -> str:
-        """The member that drives, or the first of two."""
-        return next(iter(self.driving))
-
-    @property
-    def ratio(self) -> str:
-        """The letter of the ratio; driving over driven."""
-        return f"U_{{{self.first}{self.driven}}}"
-
-
 @dataclass(frozen=True)
 class Limits:
     """Limits on tooth numbers: ``least`` and ``most`` of a wheel with external teeth, ``ring_most`` of a ring.
@@ -98,7 +74,7 @@ class Limits:
     difference: int = 8
 
 
-_TEETH = Bound(1, 1000, whole=True)
+TEETH = Bound(1, 1000, whole=True)
 _SATELLITES = Bound(1, 49, whole=True)
 _RATIO = Bound(-10_000, 10_000)
 
@@ -119,7 +95,7 @@ def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
     """Return tooth numbers; None for one that is to be found, written "?"."""
 
     def fine(z: object) -> bool:
-        return z == "?" or (isinstance(z, int) and _TEETH.holds(z))
+        return z == "?" or (isinstance(z, int) and TEETH.holds(z))
 
     if not isinstance(value, list) or not all(fine(z) for z in value):
         raise ValueError(
@@ -175,7 +151,7 @@ def _satellites(value: object, names: Names) -> tuple[int, ...]:
     return tuple(listed)
 
 
-_COUNT = v.number(_TEETH)
+_COUNT = v.number(TEETH)
 _SIGNED = v.quantity("angular speed")
 _MEMBER = v.choice("1", "3", "4", "H")
 _SPEEDS = Kind(_speeds, either(v.SPEED), unit="angular speed")
@@ -184,9 +160,9 @@ _ASKED = Kind(
     _teeth,
     {
         "type": "array",
-        "items": {"anyOf": [dict(_TEETH.schema), {"type": "string", "const": "?"}]},
+        "items": {"anyOf": [dict(TEETH.schema), {"type": "string", "const": "?"}]},
     },
-    _TEETH,
+    TEETH,
 )
 _SHAFTS = Kind(
     _satellites,
@@ -267,7 +243,7 @@ class PlanetaryTask:
         v.DRAWN, "pole distance of the plan of angular velocities", "40 mm", None
     )
     behind: tuple[int, ...] = key(
-        Kind(_pair, {"type": "array", "items": dict(_TEETH.schema)}, _TEETH),
+        Kind(_pair, {"type": "array", "items": dict(TEETH.schema)}, TEETH),
         "teeth of the pair of gears behind the train",
         [15, 25],
         (),
@@ -286,165 +262,11 @@ class Train:
     satellites: int
 
 
-def motion_of(order: PlanetaryTask) -> Motion:
-    """Return which members of a train move.
-
-    Raises
-    ------
-    TaskError
-        If one drives and stands, two have one speed, or it is not told which stands.
-    """
-    last = SCHEMES[order.scheme].wheels[-1]
-    members, two = ("1", last, "H"), isinstance(order.speed, tuple)
-    speeds = order.speed if isinstance(order.speed, tuple) else (order.speed,)
-    usual = ("1", last) if two else ("1",)
-    drivers = (order.driving,) if isinstance(order.driving, str) else order.driving
-    driving = usual if drivers == ("1",) else drivers
-    for asked, names in (("driving", driving), ("fixed", (order.fixed,))):
-        for name in names:
-            if name and name not in members:
-                listed = ", ".join(members)
-                says = said(
-                    'the train has no "{name}": its members are {listed}', name=name, listed=listed
-                )
-                raise _refuse(asked, says)
-    if len(driving) != len(speeds):
-        says = said(
-            "{n} drive, but the angular velocity of {m} is given", n=len(driving), m=len(speeds)
-        )
-        raise _refuse("speed", says)
-    if two and order.fixed:
-        raise _refuse("fixed", said("two shafts of a differential drive: leave fixed out"))
-    fixed = "" if two else order.fixed or (last if last not in driving else "")
-    if not two and (not fixed or fixed in driving):
-        other = " or ".join(f'"{name}"' for name in members if name not in driving)
-        raise _refuse(
-            "fixed",
-            said(
-                "{driving} drives: one of the others stands, {other}",
-                driving=driving[0],
-                other=other,
-            ),
-        )
-    (driven,) = (name for name in members if name not in driving and name != fixed)
-    return Motion(dict(zip(driving, speeds, strict=True)), fixed, driven, last)
-
-
-def scheme_of(order: PlanetaryTask) -> Scheme:
-    """Return the scheme of a sound order.
-
-    Raises
-    ------
-    TaskError
-        If the scheme is not one of the four, or anything asked for is no quantity of a train.
-    """
-    scheme = SCHEMES.get(order.scheme)
-    if scheme is None:
-        listed = ", ".join(SCHEMES)
-        says = said('no scheme "{name}": take one of {listed}', name=order.scheme, listed=listed)
-        raise TaskError("planetary", "scheme", says)
-    _refuse_sizes(order, scheme)
-    _refuse_counts(order, scheme)
-    _refuse_ratio(order)
-    return scheme
-
-
 def module_ratio(order: PlanetaryTask) -> Fraction:
     """Return module_2/module as the ratio of small whole numbers that it is."""
     if order.module_2 is None:
         return Fraction(1)
     return Fraction(order.module_2 / order.module).limit_denominator(1000)
-
-
-def _refuse(key: str, message: str) -> TaskError:
-    return TaskError("planetary", key, message)
-
-
-def _bounded(key: str, value: object) -> None:
-    """Refuse a value outside the bounds of a key."""
-    bound_of(PlanetaryTask, key).refuse("planetary", key, value)
-
-
-def _refuse_sizes(order: PlanetaryTask, scheme: Scheme) -> None:
-    for name, value in (
-        ("module", order.module),
-        ("module_2", order.module_2),
-        ("mu_l", order.mu_l),
-        ("mu_v", order.mu_v),
-        ("pole", order.pole),
-        ("moment", order.moment),
-    ):
-        if value is not None:
-            _bounded(name, value)
-    for name in ("alpha", "ha", "c", "mesh_efficiency"):
-        _bounded(name, getattr(order, name))
-    for speed in motion_of(order).driving.values():
-        if not (math.isfinite(speed) and speed != 0.0):
-            says = said(
-                "the driving shaft turns at {speed}: give its angular velocity", speed=speed
-            )
-            raise _refuse("speed", says)
-    if order.module_2 is None:
-        return
-    if scheme.rows == 1:
-        raise _refuse("module_2", said("a single row has one module: leave module_2 out"))
-    if abs(order.module * float(module_ratio(order)) - order.module_2) > 1e-9 * order.module_2:
-        raise _refuse(
-            "module_2",
-            said(
-                "modules of {first:g} and {second:g} m have no simple ratio: take standard ones",
-                first=order.module,
-                second=order.module_2,
-            ),
-        )
-
-
-def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
-    if order.teeth and len(order.teeth) != len(scheme.wheels):
-        raise _refuse(
-            "teeth",
-            said(
-                'scheme "{name}" has wheels {wheels}, not {n}: give a tooth number for each, or none',
-                name=scheme.name,
-                wheels=", ".join(scheme.wheels),
-                n=len(order.teeth),
-            ),
-        )
-    for z in order.teeth:
-        if z is not None:
-            _bounded("teeth", z)
-    if not order.satellites:
-        says = said("no number of satellites is allowed: give one, such as 3")
-        raise _refuse("satellites", says)
-    for k in order.satellites:
-        _bounded("satellites", k)
-    limits = order.limits
-    for name in ("least", "most", "ring_most"):
-        _bounded(name, getattr(limits, name))
-    _TEETH.refuse("planetary", "difference", limits.difference)
-    if limits.least > limits.most:
-        says = said(
-            "from {least} to {most} there is no tooth number", least=limits.least, most=limits.most
-        )
-        raise _refuse("least", says)
-
-
-def _refuse_ratio(order: PlanetaryTask) -> None:
-    if not motion_of(order).fixed:
-        if order.ratio is not None:
-            raise _refuse("ratio", said("a differential has no ratio: leave it out"))
-        if order.behind:
-            raise _refuse("behind", said("behind a differential no pair is drawn: leave it out"))
-    if order.ratio is None:
-        if not order.teeth or None in order.teeth:
-            raise _refuse(
-                "ratio", said("neither a ratio nor all tooth numbers are given: give one of them")
-            )
-        return
-    _bounded("ratio", order.ratio)
-    if order.ratio == 0.0:
-        raise _refuse("ratio", said("a ratio of 0 is none"))
-    _bounded("tolerance", order.tolerance)
 
 
 def check(asked: Said, parts: Parts) -> Iterator[Flaw]:
@@ -461,6 +283,6 @@ SECTIONS = (
     Section(
         "planetary", PlanetaryTask, "a planetary train", alone=True, metric=True,
         begin='ratio = 4.55, module = "8 mm"', check=check,
-        refuse=f"{__name__}:scheme_of",
+        refuse="graphic_tmm.chapters.planetary.refusals:scheme_of",
     ),
 )  # fmt: skip

@@ -6,8 +6,9 @@ import math
 from collections.abc import Iterator, Mapping
 
 from graphic_tmm.chapters.planetary.ink_scheme import ASIDE, Scheme2KH, Side, draw_scheme, spots
+from graphic_tmm.chapters.planetary.motion import motion_of
 from graphic_tmm.chapters.planetary.plan import ARM, ROW, SHAFT
-from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES, PlanetaryTask, Scheme, motion_of
+from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES, PlanetaryTask, Scheme
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Wanted

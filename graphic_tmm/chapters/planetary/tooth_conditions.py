@@ -13,15 +13,9 @@ from numpy.typing import NDArray
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.planetary import formulas as f
-from graphic_tmm.chapters.planetary.task import (
-    Motion,
-    PlanetaryTask,
-    Scheme,
-    Train,
-    module_ratio,
-    motion_of,
-    scheme_of,
-)
+from graphic_tmm.chapters.planetary.motion import motion_of
+from graphic_tmm.chapters.planetary.refusals import scheme_of
+from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme, Train, module_ratio
 from graphic_tmm.language.said import said
 
 Whole = NDArray[np.int64]
@@ -82,24 +76,6 @@ def member_rates(scheme: Scheme, z: Teeth, fixed: str) -> dict[str, Whole]:
     if fixed == "H":
         return {"1": u, last: v}
     return {last: u - v, "H": u} if fixed == "1" else {"1": v - u, "H": v}
-
-
-def first_drives(train: Train, motion: Motion) -> bool:
-    """Return whether wheel 1 drives while the carrier is held: power flows by it from wheel 1 to the last one.
-
-    The signs of its torque and of its angular velocity seen from the carrier are alike; torques without losses.
-    """
-    z = in_two_rows(train.scheme, train.teeth)
-    u, v = (int(rate[0]) for rate in member_rates(train.scheme, z, "H").values())
-    known = dict(motion.driving) | ({motion.fixed: 0.0} if motion.fixed else {})
-    if "H" not in known:
-        seen = known["1"] - (v * known["1"] - u * known[motion.last]) / (v - u)
-    elif "1" in known:
-        seen = known["1"] - known["H"]
-    else:
-        seen = (known[motion.last] - known["H"]) * u / v
-    share = {"1": v, motion.last: -u, "H": u - v}[motion.first]
-    return motion.driving[motion.first] * share * v * seen >= 0.0
 
 
 def ratio(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> NDArray[np.float64]:

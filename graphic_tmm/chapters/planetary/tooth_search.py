@@ -14,15 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.chapters.planetary import tooth_conditions as c
-from graphic_tmm.chapters.planetary.task import (
-    Motion,
-    PlanetaryTask,
-    Scheme,
-    Train,
-    module_ratio,
-    motion_of,
-    scheme_of,
-)
+from graphic_tmm.chapters.planetary.motion import Motion, motion_of
+from graphic_tmm.chapters.planetary.refusals import scheme_of
+from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme, Train, module_ratio
 from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths, Whole, check
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said

@@ -12,6 +12,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.moved import uses
+from graphic_tmm.scene.quantities import parse
 from graphic_tmm.scene.sections import LENGTHS
 from graphic_tmm.serve.form import Field, choices_in, form
 from graphic_tmm.serve.plainly import clause
@@ -109,8 +110,10 @@ def _of_point(points: Mapping[str, Any], letter: str, axis: int) -> str:
 
 def _is_along(guide: Mapping[str, Any], axis: int) -> bool:
     """Whether a guide lies along an axis of the paper: where on that it begins is nothing to it."""
-    told = re.fullmatch(r"([+-]?\d+)(?:\.0*)?\s*(?:deg|°|град)\.?", str(guide.get("angle")).strip())
-    return told is not None and int(told[1]) % 180 == (0, 90)[axis]
+    try:
+        return parse(guide.get("angle"), "angle") % 180.0 == (0.0, 90.0)[axis]
+    except ValueError:
+        return False
 
 
 def _is_zero(place: Any, axis: int) -> bool:

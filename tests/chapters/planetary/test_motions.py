@@ -15,10 +15,11 @@ from support.scenes import calling
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
+from graphic_tmm.chapters.planetary.motion import motion_of
 from graphic_tmm.chapters.planetary.plan import draw_planetary
-from graphic_tmm.chapters.planetary.record import draw_torques
-from graphic_tmm.chapters.planetary.task import SCHEMES, PlanetaryTask, motion_of
+from graphic_tmm.chapters.planetary.task import SCHEMES, PlanetaryTask
 from graphic_tmm.chapters.planetary.tooth_search import choose, search
+from graphic_tmm.chapters.planetary.torques import draw_torques
 from graphic_tmm.errors import StructureError
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.table import results_of

@@ -8,7 +8,8 @@ from typing import Any
 import pytest
 from support.each import each
 
-from graphic_tmm.chapters.planetary.task import Limits, PlanetaryTask, module_ratio, scheme_of
+from graphic_tmm.chapters.planetary.refusals import scheme_of
+from graphic_tmm.chapters.planetary.task import Limits, PlanetaryTask, module_ratio
 from graphic_tmm.chapters.planetary.tooth_search import choose, search
 from graphic_tmm.errors import StructureError
 
