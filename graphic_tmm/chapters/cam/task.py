@@ -25,10 +25,8 @@ GRAPHS = "cam graphs"
 """The size of a cam's diagrams; that of its other views is called as the chapter is."""
 
 
-EDGE = "knife edge"
-"""A follower that has no roller."""
-BY_DIAGRAM = "diagram"
-"""The law that is given by points of its acceleration diagram."""
+EDGE, BY_DIAGRAM = "knife edge", "diagram"
+"""The follower without a roller; the law that is given by points of its acceleration diagram."""
 RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"
 """The key that tells how the diagram of the return is meant: the rise run backwards, or by the sign of S″."""
 
@@ -59,7 +57,7 @@ class Law:
 
 @dataclass(frozen=True)
 class RollerFollower:
-    """A roller on a translating rod, or its knife ``edge``: a roller without a radius.
+    """A roller on a translating rod, or its knife ``edge``.
 
     ``offset`` e (m) of its guide from the centre of the cam, positive to the side that lessens the pressure
     angle of the rise; 0 for a central follower.
@@ -98,10 +96,10 @@ def _stroke(value: object, names: Names) -> float:
     return quantities.parse(value, "length")
 
 
-def is_angle(value: object) -> bool:
-    """Whether a stroke is written as an angle."""
+def is_angle(value: object, dimension: quantities.Dimension = "angle") -> bool:
+    """Whether a stroke, or a scale factor, is written as one of angles."""
     try:
-        quantities.parse(value, "angle")
+        quantities.parse(value, dimension)
     except ValueError:
         return False
     return isinstance(value, str)
@@ -109,11 +107,7 @@ def is_angle(value: object) -> bool:
 
 def is_angle_scale(value: object) -> bool:
     """Whether a scale factor is written as one of angles."""
-    try:
-        quantities.parse(value, "scale of angles")
-    except ValueError:
-        return False
-    return isinstance(value, str)
+    return is_angle(value, "scale of angles")
 
 
 _UNITS = {
@@ -291,11 +285,8 @@ class CamTask:
     )
     r0: float | None = key(v.POSITIVE_LENGTH, "the least radius chosen", "52.1 mm", None)
     roller: float | None = key(
-        replace(v.LENGTH, bound=Bound(0)),
-        "the radius of the roller, 0 of a knife edge",
-        "16.8 mm",
-        None,
-    )
+        replace(v.LENGTH, bound=Bound(0)), "the radius of the roller, 0 of a knife edge", "16.8 mm", None,
+    )  # fmt: skip
     share_of_r0: float = key(_SHARE, "how much of r0 the roller may be", 0.4, 0.4)
     share_of_curvature: float = key(_SHARE, "how much of the least curvature radius", 0.7, 0.7)
     divisions: int = key(
@@ -364,12 +355,14 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
 
 def _rollers(cam: Said) -> Iterator[Flaw]:
     """A roller that no follower of the kind has."""
-    if cam.roller is not None and cam.roller < 0.0:
-        yield Flaw(("cam", "roller"), said("a radius is not negative; write 0 for a knife edge"))
-    if cam.roller == 0.0 and cam.follower == "rocker":
-        yield Flaw(("cam", "roller"), said('a lever has a roller; write, for example, "10 mm"'))
-    if cam.roller and cam.follower == EDGE:
-        yield Flaw(("cam", "roller"), said("a knife edge has no roller: leave it out"))
+    for wrong, says in (
+        ((cam.roller or 0.0) < 0.0, said("a radius is not negative; write 0 for a knife edge")),
+        (cam.roller == 0.0 and cam.follower == "rocker",
+         said('a lever has a roller; write, for example, "10 mm"')),
+        (cam.roller and cam.follower == EDGE, said("a knife edge has no roller: leave it out")),
+    ):  # fmt: skip
+        if wrong:
+            yield Flaw(("cam", "roller"), says)
 
 
 def _laws(cam: Said) -> Iterator[Flaw]:
