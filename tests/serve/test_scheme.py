@@ -251,6 +251,7 @@ def test_a_mechanism_that_none_of_its_positions_reaches_is_shown_where_it_is_ass
 def test_of_a_guide_along_the_paper_that_is_shown_which_places_it(angle: str, axis: str) -> None:
     guide = f'x = {{ through = ["3 mm", "4 mm"], angle = "{angle}" }}'
     text = SMALL.replace('x = { through = [0, 0], angle = "0 deg" }', guide)
+    text = text.replace('"right"', '"+"')
     told = scheme(text.encode(), Path("scheme.toml"), SchemeAct(), EN)["fields"]
     labels = [one["label"] for one in told if one["label"].startswith("x-x")]
     assert labels == [*(f"x-x: {one}" for one in axis), "x-x: ∠"]
