@@ -15,7 +15,7 @@ EN = speaking("en")
 
 UNFINISHED: list[tuple[list[dict[str, Any]], int | None, int | None, str]] = [
     ([body(0)], None, None, "Draw a link"),
-    ([body(0), body(1, "O", "A")], None, 3, "W = 3: a support, a slider"),
+    ([body(0), body(1, "O", "A")], None, 3, "W = 3: hold one of its pins"),
     ([body(0, "O"), body(1, "O", "A")], None, 1, "say which link is driven"),
     (
         [body(0, "O"), body(1, "O", "A"), body(2, "A", "B")],

@@ -18,9 +18,9 @@ EN = speaking("en")
 BARE = [
     ("OA", "", "110.5", "110.5 mm", ""),
     ("OA", "", "110,5", "110,5 mm", ""),
-    ("its angular speed", "0", "60", "60 rad/s", "rad/s"),
-    ("its angular speed", '"380 rpm"', "60", "60 rpm", ""),
-    ("its angular speed", "6.5", "60", "60 rad/s", "rad/s"),
+    ("link 1: its angular speed", "0", "60", "60 rad/s", "rad/s"),
+    ("link 1: its angular speed", '"380 rpm"', "60", "60 rpm", ""),
+    ("link 1: its angular speed", "6.5", "60", "60 rad/s", "rad/s"),
     ("link 2: its mass", "", "3", "3 kg", "kg"),
     ("link 2: its moment of inertia about the mass centre", "", "0.02", "0.02 kg*m^2", "kg·m²"),
     ("link 1: what the link is called", "", "3", "3", ""),

@@ -15,6 +15,7 @@ from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
 from graphic_tmm.scene.misfits import fault_in_list, stands
 from graphic_tmm.scene.tasks import SectionKey
+from graphic_tmm.scene.units import Dimension
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -96,7 +97,7 @@ def _stroke(value: object, names: Names) -> float:
     return quantities.parse(value, "length")
 
 
-def is_angle(value: object, dimension: quantities.Dimension = "angle") -> bool:
+def is_angle(value: object, dimension: Dimension = "angle") -> bool:
     """Whether a stroke, or a scale factor, is written as one of angles."""
     try:
         quantities.parse(value, dimension)

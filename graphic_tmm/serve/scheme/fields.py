@@ -12,7 +12,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import Path
 from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.moved import uses
-from graphic_tmm.scene.quantities import parse
+from graphic_tmm.scene.quantities import in_si
 from graphic_tmm.scene.sections import LENGTHS
 from graphic_tmm.serve.form import Field, choices_in, form
 from graphic_tmm.serve.plainly import clause
@@ -23,6 +23,8 @@ from graphic_tmm.serve.scheme.units import unit_shown
 OF_LINKS = ("name", "mass", "J")
 OF_DRIVE = ("speed", "turns", "from", "to", "at", "positions", "accelerations")
 """What a task gives besides lengths, and nothing can be drawn without, or is drawn otherwise."""
+OF_ITS_LINK = ("speed", "turns")
+"""Of these it is said whose they are: the link that is driven."""
 ZERO = re.compile(r"[+-]?0(?:\.0*)?(?:\s.*)?")
 
 
@@ -111,7 +113,7 @@ def _of_point(points: Mapping[str, Any], letter: str, axis: int) -> str:
 def _is_along(guide: Mapping[str, Any], axis: int) -> bool:
     """Whether a guide lies along an axis of the paper: where on that it begins is nothing to it."""
     try:
-        return parse(guide.get("angle"), "angle") % 180.0 == (0.0, 90.0)[axis]
+        return in_si(str(guide.get("angle")), "angle") % 180.0 == (0.0, 90.0)[axis]
     except ValueError:
         return False
 
@@ -125,10 +127,10 @@ def _given(fields: list[Field], doc: Document, speech: Speech) -> Iterator[tuple
     drives = tables_of_drives(doc)
     for field in fields:
         if _is_of_drive(field.path, drives[0]):
-            several = len(drives) > 1
+            whose = len(drives) > 1 or field.path[-1] in OF_ITS_LINK
             yield (
                 field,
-                _of_link(field, drives, "link", speech) if several else clause(speech(field.says)),
+                _of_link(field, drives, "link", speech) if whose else clause(speech(field.says)),
             )
     for field in fields:
         match field.path:
@@ -138,7 +140,8 @@ def _given(fields: list[Field], doc: Document, speech: Speech) -> Iterator[tuple
 
 def _of_link(field: Field, tables: list[Document], key: str, speech: Speech) -> str:
     """Return what a field is, with the link whose it is: that of its table, at a key."""
-    number = tables[int(field.path[1])].get(key)
+    at = field.path[1]
+    number = tables[at if isinstance(at, int) else 0].get(key)
     return speech(said("link {number}: {what}", number=number, what=clause(speech(field.says))))
 
 

@@ -21,6 +21,8 @@ from graphic_tmm.serve.scheme.sketches import Sketch, lying_document
 from graphic_tmm.serve.scheme.words import SCHEME_WORDS
 
 TURNS = 360.0
+FREE = 3
+"""What a link can do that nothing holds: it goes two ways, and turns."""
 NEAR = 0.01
 """What lies nearer to a line was meant on it, of the mechanism's size: hands click 0.5 mm off on 150 (sd)."""
 PARALLEL = 0.025
@@ -79,6 +81,13 @@ def _lacks(
                 "W = {w}, but {count} links are driven: click one of them with the tool that drives no more",
                 w=w,
                 count=drives,
+            ),
+        )
+    if not drives and w == FREE and len(mechanism.links) == 1:
+        return (
+            said(
+                "W = {w}: hold one of its pins by a support, and draw the next link from the other",
+                w=w,
             ),
         )
     if not drives:
