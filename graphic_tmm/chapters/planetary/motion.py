@@ -54,18 +54,18 @@ def motion_of(order: PlanetaryTask) -> Motion:
                 says = said(
                     'the train has no "{name}": its members are {listed}', name=name, listed=listed
                 )
-                raise _refused(asked, says)
+                raise refused(asked, says)
     if len(driving) != len(speeds):
         says = said(
             "{n} drive, but the angular velocity of {m} is given", n=len(driving), m=len(speeds)
         )
-        raise _refused("speed", says)
+        raise refused("speed", says)
     if two and order.fixed:
-        raise _refused("fixed", said("two shafts of a differential drive: leave fixed out"))
+        raise refused("fixed", said("two shafts of a differential drive: leave fixed out"))
     fixed = "" if two else order.fixed or (last if last not in driving else "")
     if not two and (not fixed or fixed in driving):
-        other = " or ".join(f'"{name}"' for name in members if name not in driving)
-        raise _refused(
+        other = ", ".join(f'"{name}"' for name in members if name not in driving)
+        raise refused(
             "fixed",
             said(
                 "{driving} drives: one of the others stands, {other}",
@@ -77,5 +77,6 @@ def motion_of(order: PlanetaryTask) -> Motion:
     return Motion(dict(zip(driving, speeds, strict=True)), fixed, driven, last)
 
 
-def _refused(key: str, message: str) -> TaskError:
+def refused(key: str, message: str) -> TaskError:
+    """Return what refuses a key of a train."""
     return TaskError("planetary", key, message)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from graphic_tmm.board.bounds import TaskError
-from graphic_tmm.chapters.planetary.motion import motion_of
+from graphic_tmm.chapters.planetary.motion import motion_of, refused
 from graphic_tmm.chapters.planetary.task import SCHEMES, TEETH, PlanetaryTask, Scheme, module_ratio
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -28,10 +28,6 @@ def scheme_of(order: PlanetaryTask) -> Scheme:
     _refuse_counts(order, scheme)
     _refuse_ratio(order)
     return scheme
-
-
-def _refuse(key: str, message: str) -> TaskError:
-    return TaskError("planetary", key, message)
 
 
 def _bounded(key: str, value: object) -> None:
@@ -57,13 +53,13 @@ def _refuse_sizes(order: PlanetaryTask, scheme: Scheme) -> None:
             says = said(
                 "the driving shaft turns at {speed}: give its angular velocity", speed=speed
             )
-            raise _refuse("speed", says)
+            raise refused("speed", says)
     if order.module_2 is None:
         return
     if scheme.rows == 1:
-        raise _refuse("module_2", said("a single row has one module: leave module_2 out"))
+        raise refused("module_2", said("a single row has one module: leave module_2 out"))
     if abs(order.module * float(module_ratio(order)) - order.module_2) > 1e-9 * order.module_2:
-        raise _refuse(
+        raise refused(
             "module_2",
             said(
                 "modules of {first:g} and {second:g} m have no simple ratio: take standard ones",
@@ -75,7 +71,7 @@ def _refuse_sizes(order: PlanetaryTask, scheme: Scheme) -> None:
 
 def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
     if order.teeth and len(order.teeth) != len(scheme.wheels):
-        raise _refuse(
+        raise refused(
             "teeth",
             said(
                 'scheme "{name}" has wheels {wheels}, not {n}: give a tooth number for each, or none',
@@ -89,7 +85,7 @@ def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
             _bounded("teeth", z)
     if not order.satellites:
         says = said("no number of satellites is allowed: give one, such as 3")
-        raise _refuse("satellites", says)
+        raise refused("satellites", says)
     for k in order.satellites:
         _bounded("satellites", k)
     limits = order.limits
@@ -100,22 +96,22 @@ def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
         says = said(
             "from {least} to {most} there is no tooth number", least=limits.least, most=limits.most
         )
-        raise _refuse("least", says)
+        raise refused("least", says)
 
 
 def _refuse_ratio(order: PlanetaryTask) -> None:
     if not motion_of(order).fixed:
         if order.ratio is not None:
-            raise _refuse("ratio", said("a differential has no ratio: leave it out"))
+            raise refused("ratio", said("a differential has no ratio: leave it out"))
         if order.behind:
-            raise _refuse("behind", said("behind a differential no pair is drawn: leave it out"))
+            raise refused("behind", said("behind a differential no pair is drawn: leave it out"))
     if order.ratio is None:
         if not order.teeth or None in order.teeth:
-            raise _refuse(
+            raise refused(
                 "ratio", said("neither a ratio nor all tooth numbers are given: give one of them")
             )
         return
     _bounded("ratio", order.ratio)
     if order.ratio == 0.0:
-        raise _refuse("ratio", said("a ratio of 0 is none"))
+        raise refused("ratio", said("a ratio of 0 is none"))
     _bounded("tolerance", order.tolerance)

@@ -32,8 +32,8 @@ NAN = float("nan")
         ({"speed": 0.0}, "the driving shaft turns at 0.0"),
         ({"speed": float("inf")}, "the driving shaft"),
         ({"driving": "4"}, 'the train has no "4": its members are 1, 3, H'),
-        ({"driving": "3"}, '3 drives: one of the others stands, "1" or "H"'),
-        ({"fixed": "1"}, '1 drives: one of the others stands, "3" or "H"'),
+        ({"driving": "3"}, '3 drives: one of the others stands, "1", "H"'),
+        ({"fixed": "1"}, '1 drives: one of the others stands, "3", "H"'),
         ({"fixed": "4"}, 'the train has no "4"'),
         ({"driving": ("1", "H")}, "2 drive, but the angular velocity of 1 is given"),
         (
