@@ -40,6 +40,8 @@ PICTURE, BELOW = 62.0, 48.0
 """From the scheme to the picture of velocities; from the axis down to the plan below it, mm."""
 CLEAR = 45.0
 """The least way from the scheme to the picture: the shaft's bearing stands there, mm."""
+HOLLOW = 20.0
+"""Further to the right the hollow shaft of a ring that turns reaches, mm."""
 SHAFT = 42.0
 """From the arm, or the last row, to a wheel on the driven shaft, whose bearing stands between, mm."""
 AROUND = 40.0
@@ -102,7 +104,9 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
     marks = tuple(drawn.picture.ends.values())
     tips = execute(draft.board.construction(), draft.given, marks)
     left = min(float(tips[mark][0, 0].real) for mark in marks)
-    zero = last + size * ARM + max(PICTURE * size, CLEAR) + max(0.0, -left)
+    turns = not outside and drawn.motion.fixed != drawn.motion.last
+    beside = max(PICTURE * size, CLEAR) + (HOLLOW if turns else 0.0)
+    zero = last + size * ARM + beside + max(0.0, -left)
     if drawn.pair is not None and drawn.motion.driven == "H":
         station = max(last, arm) + SHAFT
         draft.given[drawn.pair.station] = station
