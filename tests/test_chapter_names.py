@@ -28,6 +28,8 @@ ALLOWED = {
     "commands/new.py: 'cam'",
     "commands/new.py: 'engine'",
     "commands/new.py: 'planetary'",
+    # the section of a scene with which weights begin to count, beside a scheme
+    "serve/scheme/effects.py: 'forces'",
     # what motion is asked for: a word of the face, and of a place of sheets
     "readers/any_angles/turn.py: 'forces'",
     "readers/any_angles/results.py: 'forces'",

@@ -18,6 +18,7 @@ from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.chapters.planetary.dimensions import Condition
 from graphic_tmm.chapters.planetary.formulas import turns_a_minute
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
+from graphic_tmm.chapters.planetary.rates import RATES
 from graphic_tmm.chapters.planetary.record import BESIDE
 from graphic_tmm.chapters.planetary.tooth_search import Solutions, search
 from graphic_tmm.drawn import Drawn, Results, results_of
@@ -261,8 +262,11 @@ CONDITIONS, TRAINS = "planetary-conditions", "planetary-trains"
 
 
 def planetary_columns(drawn: Drawn) -> tuple[Column, ...]:
-    """Return what was measured, both sides of each condition, the trains that fulfil the order by rank."""
-    return (*measured_columns(drawn), *_conditions(drawn), *_trains(drawn))
+    """Return what was measured, turns a minute, both sides of each condition, trains of the order by rank."""
+    turns = BESIDE.on(drawn).turns
+    figures = [drawn.reading.figure(mark)[:, 0] for mark in turns.values()]
+    minute = listed(RATES, "n", "n", "rpm", figures, tuple(turns))
+    return (*measured_columns(drawn), minute, *_conditions(drawn), *_trains(drawn))
 
 
 def _conditions(drawn: Drawn) -> Iterator[Column]:
