@@ -143,9 +143,11 @@ def test_the_ratio_of_a_train_follows_from_its_table() -> None:
     (drawn,) = gallery.made("planetary").boards
     (view,) = (v for v in tables(drawn) if v.name == "table-planetary-rates")
     mu = Decimal(f"{drawn.scales['planetary-rates'].value:.4g}")
-    rows = [row for row in rows_of(view) if len(row) == 4 and plain_or(row[2]) is not None]
+    a_minute = Decimal(f"{float(mu) * 30.0 / np.pi:.4g}")
+    rows = [row for row in rows_of(view) if len(row) == 5 and plain_or(row[2]) is not None]
     assert len(rows) == 3
-    assert all(follows(row[2:3], row[3:], mu) for row in rows)
+    assert all(follows(row[2:3], row[3:4], mu) for row in rows)
+    assert all(follows(row[2:3], row[4:], a_minute) for row in rows)
 
 
 @pytest.mark.parametrize("seed", range(20))
