@@ -158,8 +158,8 @@ def test_loads_and_pressures_stand_on_what_is_drawn() -> None:
     """The pressure between two positions is read off the diagram drawn: it stays between their pressures."""
     found = _dense(gallery.in_usual("engine"))
     log, reading, exact = found.sheet.construction, found.drawn.reading, found.sheet.numbers.drawn
-    pressure = next(m for m in log.given if m.view == "indicator" and m.letter == "p_k")
-    told, given = reading[pressure][0], exact[pressure][0]
+    high = next(s.it for s in log.steps if s.it.view == "indicator" and s.it.letter == "h_k")
+    told, given = reading[high][0], exact[high][0]
     np.testing.assert_allclose(told[::30], given, rtol=1e-9)
     for k in range(12):
         low, high = sorted((given[k], given[(k + 1) % 12]))

@@ -176,9 +176,9 @@ def _interference(
             continue
         m = modules[rim]
         tip = draft.draw(t.tip_of_ring, f"r_{{a{ring}}}", m, z[ring], ha, unit="m")
-        starts = draft.draw(
-            t.least_tip_of_ring, f"r_{{a{ring}min}}", m, z[ring], z[rim], alpha, unit="m"
-        )
+        base = draft.draw(t.base_radius, f"r_{{b{ring}}}", m, z[ring], alpha, unit="m")
+        along = draft.draw(t.along_action, "l_N", m, z[ring], z[rim], alpha, unit="m")
+        starts = draft.draw(t.least_tip_of_ring, f"r_{{a{ring}min}}", base, along, unit="m")
         made.append(Condition("interference", tip, "≥", starts))
     return tuple(made)
 

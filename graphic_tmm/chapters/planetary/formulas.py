@@ -167,9 +167,19 @@ def tip_of_ring(m: Number, z: Number, ha: Number) -> Number:
     """{m}·({z}/2 − {ha})"""
 
 
+@formula(why=said("The base circle carries the involute."))
+def base_radius(m: Number, z: Number, alpha: Angle) -> Number:
+    """{m}·{z}·cos {alpha}/2"""
+
+
+@formula(why=said("So far along the line of action from one base circle to the other."))
+def along_action(m: Number, ring: Number, z: Number, alpha: Angle) -> Number:
+    """{m}·({ring} − {z})·sin {alpha}/2"""
+
+
 @formula(why=said("There the line of action touches the base circle of the satellite."))
-def least_tip_of_ring(m: Number, ring: Number, z: Number, alpha: Angle) -> Number:
-    """{m}·√(({ring}·cos{alpha})² + (({ring} − {z})·sin{alpha})²)/2"""
+def least_tip_of_ring(base: Number, along: Number) -> Number:
+    """√({base}² + {along}²)"""
 
 
 @formula(
