@@ -72,7 +72,7 @@ def test_a_refused_value_says_why_beside_it(studio: Tab, scene: Path) -> None:
     field = studio.field("drive.speed")
     field.fill("400")
     field.press("Enter")
-    studio.told("drive.speed: refused.")
+    studio.told("its angular speed: refused.")
     expect(field).to_have_attribute("aria-invalid", "true")
     expect(field).to_have_value("400")
     said = (field.get_attribute("aria-describedby") or "").split()
