@@ -184,7 +184,7 @@ class PlanetaryTask:
     first row, m; ``module_2`` of the second, that of the first if None. ``speed``: angular velocity of the
     driving shaft, rad/s, with its sign, or of both that drive. ``driving``: the member that drives, a central
     wheel or "H", or two; "1" with two speeds is both central wheels. ``fixed``: the one
-    that stands, "" for the last wheel (see `motion_of`).
+    that stands, None for the last wheel (see `motion_of`).
     ``ratio``: the ratio wanted, driving over driven angular velocity, with its sign;
     ``tolerance``: by what share of itself it may be missed. ``teeth``: a tooth number for every wheel of the
     scheme, None for one that is to be found; () for all of them. ``satellites``: the numbers of satellites
@@ -209,7 +209,9 @@ class PlanetaryTask:
         "1",
         "1",
     )
-    fixed: str = key(_MEMBER, "which stands still, a central wheel or the carrier H", "3", "")
+    fixed: str | None = key(
+        _MEMBER, "which stands still, a central wheel or the carrier H", "3", None
+    )
     ratio: float | None = key(
         Kind(_ratio, v.bounded(_RATIO), _RATIO), "wanted ratio, driving over driven", 4.55, None
     )
