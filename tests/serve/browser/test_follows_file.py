@@ -77,7 +77,9 @@ def test_faults_stand_beside_the_sheet_by_line_and_lead_to_their_field(
     expect(faults).to_have_count(2)
     expect(faults.nth(0)).to_contain_text("line 11 · point B of link 2")
     expect(faults.nth(0).locator("code")).to_have_text('points = { A = [0, 0], B = ["0.3 kg", 0] }')
-    expect(faults.nth(1)).to_contain_text("line 18 · the driving link and its motion: its angular speed")
+    expect(faults.nth(1)).to_contain_text(
+        "line 18 · the driving link and its motion: its angular speed"
+    )
     expect(faults.nth(1)).to_contain_text("an angular speed is wanted here")
     assert studio.shown() == first
     faults.nth(1).get_by_role("button").click()
