@@ -35,8 +35,15 @@ _LEVEL, _STAYS = 15.0, 2.0
 """What it costs to stand on a level line, read as a minus between numbers; to stay on the other side."""
 HEAD = 3.0
 """Clear width between the letter of a row and its first number, mm."""
-DEEPER = (4.5, 9.0)
-"""How far below the first level there are others, mm."""
+DEEPER, LEVELS = 4.5, 2
+"""How far apart levels of numbers are at least, mm; so many stand below the first."""
+CLEAR_LEVEL = 1.0
+"""Clear height between numbers of two levels, mm: large ones need levels farther apart."""
+
+
+def _deeper(size: float) -> tuple[float, ...]:
+    """Return how far below the first level there are others, mm."""
+    return tuple(k * max(DEEPER, size + CLEAR_LEVEL) for k in range(1, LEVELS + 1))
 
 
 def largest(values: Reals) -> float:
@@ -72,14 +79,15 @@ def position_numbers(
     if not there:
         return ()
     low, high = -TICK - CLEAR - size, TICK + CLEAR
-    ink = _Inked(strokes, (low - 2 * DEEPER[-1] - size, high + DEEPER[-1] + 3 * size))
-    rows = [_level(there, _around(low, high), size, ink)]
+    most = _deeper(size)[-1]
+    ink = _Inked(strokes, (low - 2 * most - size, high + most + 3 * size))
+    rows = [_level(there, _around(low, high, size), size, ink)]
     if rows[0].cost > _OTHER_SIDE:
         rows += [
-            _level(there, _around(high, low), size, ink, _OTHER_SIDE),
+            _level(there, _around(high, low, size), size, ink, _OTHER_SIDE),
             *(
-                _level(there, _around(low - by, high), size, ink, k * _LOWER)
-                for k, by in enumerate(DEEPER, 1)
+                _level(there, _around(low - by, high, size), size, ink, k * _LOWER)
+                for k, by in enumerate(_deeper(size), 1)
             ),
         ]
     return min(rows, key=lambda one: one.cost).labels
@@ -97,7 +105,7 @@ def number_rows(
     low, ink = below - TICK - CLEAR - size, _Inked((), (0.0, 0.0))
     for text, named in rows.items():
         there = [one for one in named if np.isfinite(one.at)]
-        levels = [(low - k * DEEPER[0], k * _ALONE) for k in range(len(there) or 1)]
+        levels = [(low - k * _deeper(size)[0], k * _ALONE) for k in range(len(there) or 1)]
         labels = _level(there, levels, size, ink, beside=BETWEEN).labels
         if labels:
             left = min(label.at.real for label in labels) - HEAD
@@ -205,10 +213,10 @@ def _meets(stroke: Ink, band: tuple[float, float]) -> bool:
     return min(heights) - by <= band[1] and max(heights) + by >= band[0]
 
 
-def _around(base: float, other: float) -> list[tuple[float, float]]:
+def _around(base: float, other: float, size: float) -> list[tuple[float, float]]:
     """Return levels of numbers, mm, and what it costs to stand there: on one side of an axis, on the other."""
     found = [(base, 0.0), (other, _OTHER_SIDE)]
-    for k, by in enumerate(DEEPER, 1):
+    for k, by in enumerate(_deeper(size), 1):
         found += [
             (min(base, other) - by, k * _ALONE),
             (max(base, other) + by, k * _ALONE + _OTHER_SIDE),
