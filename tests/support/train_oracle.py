@@ -187,3 +187,37 @@ def valid(draw: random.Random, scheme: str) -> PlanetaryTask:
         u = ratio(scheme, rows, order.driving, q)
         if u and sound(order, rows, q, k):
             return order
+
+
+def solved(scheme: str, teeth: tuple[int, ...], given: dict[str, F]) -> dict[str, F] | None:
+    """ω of all four bodies from two of them, by pure rolling at A and C; None if there is no one answer.
+
+    ω_1·y_A = ω_H·y_B + ω_2·(y_A − y_B), ω_last·y_C = ω_H·y_B + ω_2·(y_C − y_B), and both givens.
+    """
+    a, b, c = radii(scheme, four(scheme, teeth), F(1))
+    last = "3" if scheme == "ring" else "4"
+    names = ["1", last, "H", "2"]
+    rows = [[a, F(0), -b, b - a, F(0)], [F(0), c, -b, b - c, F(0)]]
+    rows += [[F(int(name == one)) for one in names] + [value] for name, value in given.items()]
+    for k in range(4):
+        pivot = next((n for n in range(k, 4) if rows[n][k] != 0), None)
+        if pivot is None:
+            return None
+        rows[k], rows[pivot] = rows[pivot], rows[k]
+        rows[k] = [one / rows[k][k] for one in rows[k]]
+        for n in range(4):
+            if n != k:
+                rows[n] = [x - rows[n][k] * y for x, y in zip(rows[n], rows[k], strict=True)]
+    return {name: row[4] for name, row in zip(names, rows, strict=True)}
+
+
+def random_teeth(draw: random.Random, scheme: str) -> tuple[int, ...]:
+    """Tooth numbers of one distance of axes, whether or not they can be made."""
+    first, second = SENSES[scheme]
+    while True:
+        z1, z2, z3 = (draw.randint(6, 60) for _ in range(3))
+        z4 = z1 + first * z2 - second * z3
+        if scheme == "ring":
+            return z1, z2, z1 + 2 * z2
+        if z4 > 0 and z1 + first * z2 > 0:
+            return z1, z2, z3, z4

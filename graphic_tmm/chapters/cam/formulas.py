@@ -9,6 +9,7 @@ from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.language.said import said
 
 _OVERCUT = "the roller is larger than the radius of curvature of the profile"
+_ALL_EASED = "nothing is left of the even motion"
 _HOLLOW = "a flat face does not reach a hollow profile"
 _DIGITS = 1e-9
 """A millimetre that is over by less than this share of one is whole."""
@@ -295,36 +296,44 @@ def even_height(share: Number, height: Length) -> Length:
 
 
 @formula(
+    holds="{eased} < 1",
+    fails=_ALL_EASED,
     why=said(
-        "Over the first sixth the follower speeds up evenly to the velocity of the even motion: at its end "
-        "rays to even parts of 0.6h cut the ordinates of the parabola."
-    )
+        "At either end the follower speeds up evenly to the velocity of the even motion: rays to even parts of "
+        "this ordinate cut those of the parabola."
+    ),
 )
-def eased_rise(share: Number, height: Length) -> Length:
-    """0.6·{share}·{height}"""
+def eased_rise(share: Number, eased: Number, height: Length) -> Length:
+    """{share}·{height}/(2·(1 − {eased}))"""
 
 
 @formula(
+    holds="{eased} < 1",
+    fails=_ALL_EASED,
     why=said(
-        "Over the last sixth it slows down as it sped up: the rays go from the end of the stroke."
-    )
+        "At the other end it slows down as it sped up: the rays go from the end of the stroke."
+    ),
 )
-def eased_rise_back(share: Number, height: Length) -> Length:
-    """{height} − 0.6·(1 − {share})·{height}"""
+def eased_rise_back(share: Number, eased: Number, height: Length) -> Length:
+    """{height} − (1 − {share})·{height}/(2·(1 − {eased}))"""
 
 
 @formula(
-    why=said(
-        "Two sixths of the phase have half of the velocity between them, so that is 1.2 times h/Φ."
-    )
+    holds="{eased} < 1",
+    fails=_ALL_EASED,
+    why=said("Over both eased ends the mean velocity is half of that between them."),
 )
-def eased_V(stroke: Number, phase: Number, mu: Number) -> Length:
-    """1.2·{stroke}/({phase}·{mu})"""
+def eased_V(stroke: Number, phase: Number, eased: Number, mu: Number) -> Length:
+    """{stroke}/({phase}·(1 − {eased})·{mu})"""
 
 
-@formula(why=said("In a sixth of the phase the velocity of the even motion is reached."))
-def eased_A(stroke: Number, phase: Number, mu: Number) -> Length:
-    """7.2·{stroke}/({phase}²·{mu})"""
+@formula(
+    holds="0 < {eased}, {eased} < 1",
+    fails=_ALL_EASED,
+    why=said("Over the eased share of the phase the velocity of the even motion is reached."),
+)
+def eased_A(stroke: Number, phase: Number, eased: Number, mu: Number) -> Length:
+    """{stroke}/({phase}²·{eased}·(1 − {eased})·{mu})"""
 
 
 @formula(why=said("Under even acceleration the velocity grows to 2h/Φ in the middle of the phase."))

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
@@ -102,9 +101,8 @@ def _speed(bench: Bench, made: Planetary) -> Mark | None:
     if made.pair is None:
         return None
     bench.draft.open(BEHIND)
-    first = made.motion.first
-    turns = abs(made.motion.driving[first]) * 30.0 / math.pi
-    driving = bench.draft.take(Number, f"n_{first}", turns, "rpm")
+    (omega,) = made.picture.omegas.values()
+    driving = bench.draft.draw(t.turns_a_minute, f"n_{made.motion.first}", omega, unit="rpm")
     last = len(made.train.scheme.wheels) + 2
     return bench.draft.draw(t.speed_behind, f"n_{last}", driving, made.pair.ratio, unit="rpm")
 

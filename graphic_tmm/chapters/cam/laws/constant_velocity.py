@@ -25,15 +25,22 @@ from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, top, uprights
 EASED = 1 / 6
 """The share of the phase over which the follower speeds up, and that over which it slows down: as usual."""
 
+PEAK = 1.0 / (1.0 - EASED)
+"""The velocity of the even motion, of h/Φ."""
+
 
 def _from_outer(ground: Ground, stretch: int) -> int:
     """Return which stretch it is counted from the outer end: 0 is eased, 1 even, 2 eased."""
     return stretch if ground.of.sign > 0 else len(ground.shares) - 1 - stretch
 
 
+def _eased(draft: Draft) -> Mark:
+    return draft.take(Number, "σ", EASED)
+
+
 def _foot(draft: Draft, ground: Ground, share: float, letter: str) -> Mark:
     """Mark on the base the place at a share of the phase from its outer end."""
-    part = draft.take(Number, "σ", share)
+    part = draft.take(Number, "u", share)
     long = draft.draw(measure, "l", ground.near, ground.far)
     far = draft.draw(law.even_height, "x", part, long)
     inward = draft.draw(parallel, "(o)", ground.near, ground.along, sense=ground.of.sign)
@@ -53,7 +60,7 @@ def _displacements(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ..
     line = draft.draw(
         join, "(tt)", low, draft.draw(lay_off, "t", upright, height, free=True), why=why.EVEN_LINE
     )
-    found = []
+    found, eased = [], _eased(draft)
     for k, share in enumerate(ground.shares):
         over, part = uprights(draft, ground, k), _from_outer(ground, k)
         if part == 1:
@@ -62,7 +69,7 @@ def _displacements(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ..
         foot = _foot(draft, ground, EASED if part == 0 else 1.0 - EASED, "e")
         above = draft.draw(square, "(e)", foot, ground.along, sense=1)
         op = law.eased_rise if part == 0 else law.eased_rise_back
-        even = draft.draw(op, "x_h", share, height)
+        even = draft.draw(op, "x_h", share, eased, height)
         spots = draft.draw(lay_off, "d", above, even, free=True, why=why.PARABOLA_RAY)
         rays = draft.draw(
             join, "(d)", ground.near if part == 0 else peak, spots, why=why.PARABOLA_RAY
@@ -73,7 +80,7 @@ def _displacements(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ..
 
 def _velocities(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Draw the level of the even motion and the straight lines that rise to it over the ends."""
-    most = draft.draw(law.eased_V, "h_V", ground.stroke, ground.phase)
+    most = draft.draw(law.eased_V, "h_V", ground.stroke, ground.phase, _eased(draft))
     found, sense = [], ground.of.sign
     for k in range(len(ground.shares)):
         part = _from_outer(ground, k)
@@ -92,7 +99,7 @@ def _velocities(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
 
 def _accelerations(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
     """Lay off the constant accelerations of the ends: upward at the outer one, downward at the inner one."""
-    much = draft.draw(law.eased_A, "h_A", ground.stroke, ground.phase)
+    much = draft.draw(law.eased_A, "h_A", ground.stroke, ground.phase, _eased(draft))
     none = draft.take(Length, "0", 0.0, "mm")
     return tuple(
         draft.draw(
@@ -113,4 +120,4 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
     return _DRAWN[which](draft, ground, height)
 
 
-LAW = DrawnLaw("constant velocity", 5, _points, (1.2, 7.2), (EASED, 1.0 - EASED))
+LAW = DrawnLaw("constant velocity", 5, _points, (PEAK, PEAK / EASED), (EASED, 1.0 - EASED))
