@@ -148,6 +148,12 @@ def scene_of(tmp_path: Path, name: str, *edits: tuple[str, str]) -> Path:
         ),
         ("cam", ('law          = "sine"', 'law = "diagram"'), "needs points"),
         ("cam", ("[cam]", "[kam]"), "cam"),
+        ("cam", ('roller       = "16.8 mm"', 'roller = "-1 mm"'), "write 0 for a knife edge"),
+        (
+            "cam",
+            ('follower     = "roller"', 'follower = "knife edge"'),
+            "has no roller: leave it out",
+        ),
     ],
 )
 def test_what_cannot_be_made_is_one_message(

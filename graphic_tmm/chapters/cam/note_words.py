@@ -50,7 +50,7 @@ READ = said(
 )
 ROLLER = (
     said(
-        "on the path of the roller's centre its places B are marked by S from the lowest one, {B0};"
+        "on the path of the follower's point its places B are marked by S from the lowest one, {B0};"
     ),
     said(
         "from B, square to the path, dS/dφ is laid off to the same scale, to the side to which the velocity "

@@ -95,8 +95,8 @@ WORDS = Named(
 
 FOLLOWER_LINE = said("The follower moves along this line; its lowest place is where it begins.")
 ROLLER_AT = said(
-    "The displacement of this position, to the scale of this figure, stands on the way of the roller's "
-    "centre."
+    "The displacement of this position, to the scale of this figure, stands on the way of its point "
+    "B: the roller's centre, or the edge."
 )
 SPEED_LINE = said(
     "The derivative dS/dφ is laid off square to the displacement, on the side to which the velocity turned "
@@ -116,20 +116,19 @@ APEX = said(
     "Below both tangents lies the region of all centres allowed; its vertex has the least radius of all."
 )
 LEAST_READ = said(
-    "From the centre to the lowest place of the roller there is the least radius of the profile."
+    "From the centre to the lowest place of B there is the least radius of the profile."
 )
-CHOSEN_CIRCLE = said("The centre stands at the chosen radius from the lowest place of the roller.")
+CHOSEN_CIRCLE = said("The centre stands at the chosen radius from the lowest place of B.")
 CENTRE = said("The centre is on its line, at the chosen radius, and so within the region allowed.")
 INVERTED = said(
     "Instead of the cam everything else is turned about it, the other way: so the follower goes round the "
     "cam that stands still."
 )
 REACH = said(
-    "The roller's centre stands above that of the cam by what it has at the lowest place and its "
-    "displacement."
+    "B stands above the centre of the cam by what it has at the lowest place and its displacement."
 )
 PROFILE_POINT = said(
-    "In this place of the follower the centre of its roller is a point of the theoretical profile."
+    "In this place of the follower its point B is a point of the theoretical profile."
 )
 CONTACT = said("The roller touches the cam on the normal, by its radius nearer to the cam.")
 DWELL = said("While the follower rests the profile is an arc about the centre of the cam.")

@@ -25,7 +25,7 @@ ONE = said("All conditions of the train hold: its wheels have a common axis, no 
 BROKEN = said("The train moves as drawn, but it cannot be made as it is: {conditions}.")
 FASTER = said(
     "The driven shaft turns at {planetary_omega} by Willis and {planetary_omega_drawn} as drawn, "
-    "{planetary_difference} apart."
+    "{planetary_omega_difference} apart."
 )
 EFFICIENCY = said(
     "Of the power that is put in the train hands on the share {planetary_efficiency}."

@@ -196,7 +196,9 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
         "planetary_satellites": sizes.satellites,
         f"planetary_{found}": rates.due,
         f"planetary_{found}_drawn": rates.drawn,
-        "planetary_difference": rates.difference,
+        (
+            "planetary_difference" if motion.fixed else "planetary_omega_difference"
+        ): rates.difference,
     }
     if pair is not None:
         results["overall_ratio"] = pair.ratio

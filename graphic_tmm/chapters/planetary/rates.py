@@ -168,12 +168,12 @@ def draw_rates(
         letter = f"U′_{{{motion.first}{driven}}}"
         drawn = draft.draw(ratio_of_segments, letter, segments[motion.first], segments[driven])
         due = sizes.ratio
-        difference = draft.draw(miss_of_ratio, "ΔU", drawn, due, unit="%")
+        difference = draft.draw(miss_of_ratio, "ΔU", drawn, due, unit="%", why=why.COMPARED)
     else:
         held = draw_held(draft, train.scheme, sizes.teeth, f"U_{{1{motion.last}}}^{{H}}")
         op = {"1": f.rate_of_first, "H": f.rate_of_carrier}.get(driven, f.rate_of_last)
         given = (picture.omegas[name] for name in ("1", motion.last, "H") if name != driven)
         due = draft.draw(op, f"ω′_{driven}", held, *given, unit="1/s")
         drawn = values[driven]
-        difference = draft.draw(miss_of_ratio, "Δω", drawn, due, unit="%")
+        difference = draft.draw(miss_of_ratio, "Δω", drawn, due, unit="%", why=why.COMPARED)
     return Rates(mu, depth, distance, pole, foot, ends, segments, values, due, drawn, difference)

@@ -122,6 +122,15 @@ def _satellite(x: float, axis: float, sense: int, radius: float) -> Side:
     return Side(complex(x, axis - by), complex(x, axis + by), complex(x, axis))
 
 
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Say which member stands, or that none does."""
+    order = ASKED.of(scene)
+    if order is not None:
+        _, motion = speaking(language), motion_of(order)
+        still, none = _(_STANDS, member=motion.fixed), _(_DIFFERENTIAL, driven=motion.driven)
+        yield still if motion.fixed else none
+
+
 def asks(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the train: its teeth, its scheme, its pictures; tell which scheme it is."""
     order = ASKED.of(scene)
@@ -130,9 +139,7 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     _ = speaking(language)
     motion = motion_of(order)
     yield _(_SCHEMES[order.scheme])
-    yield (
-        _(_STANDS, member=motion.fixed) if motion.fixed else _(_DIFFERENTIAL, driven=motion.driven)
-    )
+    yield from stated(scene, language)
     if order.ratio is not None:
         yield _(_TEETH)
     yield _(_DRAWN)
@@ -179,6 +186,7 @@ _BEHIND = said("The speed behind the following pair of wheels is found.")
 
 TASK_SHEET = TaskSheet(
     given=given,
+    stated=stated,
     scheme=scheme,
     wanted={"planetary": asks},
 )

@@ -20,6 +20,7 @@ CAPTIONS: dict[str, str] = {
     "planetary_ratio": said("U"),
     "planetary_ratio_drawn": said("U as drawn"),
     "planetary_difference": said("Δ_{U}"),
+    "planetary_omega_difference": "Δ_{ω}",
     "planetary_omega": said("ω by Willis"),
     "planetary_omega_drawn": said("ω as drawn"),
     **{f"planetary_n_{body}": f"n_{body}" for body in "1234H"},
@@ -86,6 +87,7 @@ RATE_RAY = said(
 FIRST_STANDS = said(
     "By Willis as with the last wheel held, the wheels counted from the other end: wheel 1 stands."
 )
+COMPARED = said("What the drawing gives is compared with what the numbers of teeth give.")
 RATE_READ = said(
     "The segment from the body that stands still is the angular velocity, with its sense."
 )
