@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import tomllib
 from pathlib import Path
 
 import pytest
+from support.scenes import source
 from support.served import SMALL
 
 from graphic_tmm.errors import TmmError
@@ -43,6 +45,19 @@ def test_a_mass_takes_the_place_of_a_weight_and_a_guide_of_the_frame_moves() -> 
     )
     now = put(text, own)
     assert now == text.replace('"200 N"', '"25 kg"').replace("[0, 0], angle", '[0, "5 mm"], angle')
+
+
+def test_what_another_section_says_is_written_too() -> None:
+    """A page copies bores and rims as well: a number of a table, in the unit that it has."""
+    text = source("engine")
+    new = '[flywheel]\nD_e = "500 mm"\n'
+    now = put(text, new)
+    assert now != text
+    assert put(now, new) == now
+    assert tomllib.loads(now)["flywheel"]["D_e"] == "500 mm"
+    assert {k: v for k, v in tomllib.loads(now).items() if k != "flywheel"} == {
+        k: v for k, v in tomllib.loads(text).items() if k != "flywheel"
+    }
 
 
 @pytest.mark.parametrize(

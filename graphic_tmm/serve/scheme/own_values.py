@@ -13,8 +13,11 @@ from graphic_tmm.scene.document import as_table
 from graphic_tmm.scene.moved import rewritten
 from graphic_tmm.scene.splice import Unplaced
 from graphic_tmm.scene.units import UNITS, plain_unit
+from graphic_tmm.serve.edit import edited
 from graphic_tmm.serve.scheme.units import own_unit
 
+OF_MECHANISM = ("frame", "link", "drive")
+"""Sections that say how a mechanism is put together: changed as a whole."""
 SCALARS = ("speed", "mass", "J")
 """What a page tells in SI, whatever unit the file has."""
 
@@ -29,7 +32,15 @@ def with_own_values(text: str, told: str, file: File) -> str:
     """
     doc = tomllib.loads(text)
     try:
-        return rewritten(text, _tables(doc, tomllib.loads(told)))
+        own = tomllib.loads(told)
+        text = rewritten(text, _tables(doc, own))
+        others = {
+            f"{name}.{key}": str(value)
+            for name, table in own.items()
+            if name not in OF_MECHANISM
+            for key, value in table.items()
+        }
+        return edited(text.encode(), others, file).decode() if others else text
     except (Unplaced, RecursionError, LookupError, AttributeError, TypeError, ValueError) as error:
         says = said("this cannot be set here; change it in the file itself")
         raise SceneError(str(file), (Fault("", 0, _lies(doc) or says),)) from error
