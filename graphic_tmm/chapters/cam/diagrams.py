@@ -19,9 +19,9 @@ from graphic_tmm.board.operations.instruments import lay_off, measure_along, par
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam import formulas as law
 from graphic_tmm.chapters.cam import words as why
 from graphic_tmm.chapters.cam.integral import Integral, draw_integral, lay_integral
+from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.laws.ground import Ground
 from graphic_tmm.chapters.cam.operations import in_turn, phase_end

@@ -12,7 +12,7 @@ import numpy as np
 from graphic_tmm.board.operations.instruments import strike
 from graphic_tmm.board.record import Figure, Mark, Step
 from graphic_tmm.board.values import Complexes
-from graphic_tmm.chapters.cam import formulas as law
+from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.operations import divide_semicircle, extreme_of_two, phase_end, slant
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Ink, Wanted, arc, circle, line

@@ -30,7 +30,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number, Reals
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam import formulas as law
+from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws.ground import Ground, uprights
 from graphic_tmm.chapters.cam.operations import in_turn
 from graphic_tmm.chapters.cam.phases import Phase, Turn
@@ -113,7 +113,7 @@ def lay_integral(
     for k in range(len(ground.feet)):
         long = draft.draw(rescaled, f"y_{which}", own[min(k, len(own) - 1)], ground.mu)
         if back and which == "S":
-            long = draft.draw(law.rest_of_stroke, f"y_{which}", height, long)
+            long = draft.draw(f.rest_of_stroke, f"y_{which}", height, long)
         over = uprights(draft, ground, k, up=not back or which == "S")
         found.append(draft.draw(lay_off, which.lower(), over, long, free=True))
     return tuple(found)
@@ -145,7 +145,7 @@ def _accelerations(
             y = draft.take(Length, "y_c", value, "mm")
         else:
             read = draft.take(Length, "y′_c", value / phase.changed.factor, "mm")
-            y = draft.draw(law.evened, "y_c", factor, read)
+            y = draft.draw(f.evened, "y_c", factor, read)
         corners.append(draft.draw(place, "c", axes.along, x, y, free=True))
     draft.figure("outline", "diagram", axes.origin, *corners, axes.end)
     parts = draft.take(Number, "N", float(phase.parts))
@@ -193,7 +193,7 @@ def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark, end: Mark) -> 
         foot = draft.draw(lay_off, "m", axes.along, x, free=True)
         spots = draft.draw(erect, "w", curve, foot, free=True)
         middle = draft.draw(measure_along, "w", foot, spots, axes.up)
-        mean = draft.draw(law.mean_of_strip, "w_m", ends[0], middle, ends[1])
+        mean = draft.draw(f.mean_of_strip, "w_m", ends[0], middle, ends[1])
         heights.append((mean, (first, last)))
     return _over_middles(draft, row, axes, heights)
 
@@ -241,4 +241,4 @@ def _ordinates(
     share = draft.draw(law.share_of_parts, "u", number, parts)
     start, end = (draft.take(Number, x, rows[k : k + 1]) for k, x in ((0, "u_a"), (1, "u_b")))
     low, high = (draft.take(Length, x, rows[k : k + 1], "mm") for k, x in ((2, "y_a"), (3, "y_b")))
-    return draft.draw(law.on_chord, "y", share, start, end, low, high)
+    return draft.draw(f.on_chord, "y", share, start, end, low, high)

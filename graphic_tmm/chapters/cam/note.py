@@ -13,6 +13,7 @@ from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import VIEWS
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
+from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.record import BESIDE
@@ -29,8 +30,8 @@ from graphic_tmm.note.steps import marks_of
 from graphic_tmm.paper.drawing import Drawing
 
 RADII = (
-    f.sine_radius, f.sine_radius_V, f.sine_radius_A, f.cosine_radius, f.cosine_radius_V,
-    f.cosine_radius_A, f.parabola_V, f.parabola_A, f.polynomial_S, f.polynomial_V, f.polynomial_A,
+    law.sine_radius, law.sine_radius_V, law.sine_radius_A, law.cosine_radius, law.cosine_radius_V,
+    law.cosine_radius_A, law.parabola_V, law.parabola_A, law.polynomial_S, law.polynomial_V, law.polynomial_A,
 )  # fmt: skip
 """What a law is drawn by."""
 

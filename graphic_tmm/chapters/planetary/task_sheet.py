@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from graphic_tmm.chapters.planetary.ink_scheme import ASIDE, Scheme2KH, Side, draw_scheme, spots
-from graphic_tmm.chapters.planetary.motion import motion_of
+from graphic_tmm.chapters.planetary.motion import Motion, motion_of
 from graphic_tmm.chapters.planetary.plan import ARM, ROW, SHAFT
 from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES, PlanetaryTask, Scheme
 from graphic_tmm.language.catalogue import speaking
@@ -123,12 +123,17 @@ def _satellite(x: float, axis: float, sense: int, radius: float) -> Side:
 
 
 def stated(scene: Scene, language: str) -> Iterator[str]:
-    """Say which member stands, or that none does."""
+    """Say which member stands, or that none does, where it is not the last wheel as usual."""
     order = ASKED.of(scene)
-    if order is not None:
-        _, motion = speaking(language), motion_of(order)
-        still, none = _(_STANDS, member=motion.fixed), _(_DIFFERENTIAL, driven=motion.driven)
-        yield still if motion.fixed else none
+    if order is not None and (motion := motion_of(order)).fixed != motion.last:
+        yield _stands(motion, language)
+
+
+def _stands(motion: Motion, language: str) -> str:
+    _ = speaking(language)
+    if not motion.fixed:
+        return _(_DIFFERENTIAL, driven=motion.driven)
+    return _(_STANDS, member=motion.fixed)
 
 
 def asks(scene: Scene, language: str) -> Iterator[str]:
@@ -139,7 +144,7 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     _ = speaking(language)
     motion = motion_of(order)
     yield _(_SCHEMES[order.scheme])
-    yield from stated(scene, language)
+    yield _stands(motion, language)
     if order.ratio is not None:
         yield _(_TEETH)
     yield _(_DRAWN)

@@ -6,8 +6,8 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.graphs import halve
 from graphic_tmm.board.operations.instruments import join, lay_off, meet, parallel, square
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cam import formulas as law
 from graphic_tmm.chapters.cam import words as why
+from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, top, uprights
 
 

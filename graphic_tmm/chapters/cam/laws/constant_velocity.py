@@ -18,8 +18,8 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
-from graphic_tmm.chapters.cam import formulas as law
 from graphic_tmm.chapters.cam import words as why
+from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, top, uprights
 
 EASED = 1 / 6

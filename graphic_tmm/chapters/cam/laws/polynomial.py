@@ -7,7 +7,7 @@ import math
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cam import formulas as law
+from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, uprights
 
 
