@@ -121,6 +121,7 @@ function fill(room, data, dense, state, packed) {
     if (place.tab === "crank") show();
     else engine.run(false);
   });
+  lengths?.again();
   const step = (/** @type {number} */ by) => () => stand(Math.round(state.place.turn) + by);
   listenToKeys(state, "crank", {
     ArrowRight: step(1),

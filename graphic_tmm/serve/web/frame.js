@@ -97,6 +97,7 @@ export class PageFrame {
     if (made !== this.next) return;
     const focused = document.activeElement === this.frame && this.frame !== null;
     const place = this.place;
+    const before = this.frame?.contentDocument ?? null;
     if (made.contentWindow !== null && made.contentWindow.location.hash !== place && place !== "") {
       made.contentWindow.location.replace(place);
     }
@@ -108,6 +109,19 @@ export class PageFrame {
     made.contentDocument?.documentElement.classList.add("framed");
     this.dress();
     this.offer(made.contentDocument);
+    handOn(before, made.contentDocument);
     if (focused) made.contentWindow?.focus();
   }
+}
+
+/**
+ * Hand on what a person has changed in a page to the page that takes its place.
+ * @param {Document | null} before
+ * @param {Document | null} page
+ */
+function handOn(before, page) {
+  const own = before?.documentElement.dataset["own"];
+  if (own === undefined || page === null) return;
+  page.documentElement.dataset["own"] = own;
+  page.dispatchEvent(new CustomEvent("own values left"));
 }

@@ -207,3 +207,22 @@ def test_lengths_changed_in_the_page_are_put_into_the_scene_and_taken_back(
     page.locator("[data-tool=undo]").click()
     page.locator(".scheme[aria-busy=false]").wait_for()
     assert scene.read_text("utf-8") == SMALL.replace('"0.3 m"', '"0.3 m"  ')
+
+
+def test_lengths_changed_in_the_page_outlive_a_change_of_another_in_the_file(
+    studio: Tab, scene: Path
+) -> None:
+    page = studio.page
+    page.get_by_role("tab", name="Plans step by step").click()
+    inner = page.frame_locator("iframe:not(.coming)")
+    inner.get_by_role("tab", name="Crank").click()
+    inner.locator(".lengths summary").first.click()
+    crank, rod = (inner.get_by_role("textbox", name=f"l_{it}, value") for it in ("OA", "AB"))
+    rod.fill("320")
+    rod.press("Enter")
+    longer = SMALL.replace('"0.1 m"', '"0.12 m"')
+    saved(scene, longer)
+    expect(crank).to_have_value("120")
+    expect(rod).to_have_value("320")
+    saved(scene, longer.replace('"0.3 m"', '"0.31 m"'))
+    expect(rod).to_have_value("310")

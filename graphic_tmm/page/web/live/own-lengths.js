@@ -161,6 +161,7 @@ export function begunLengths(data, dense, show) {
   return {
     ink,
     panel: panel.element,
+    again: panel.again,
     why: (k) => (good.size === 0 ? null : (whys[k] ?? "")),
     number([slot = -1, scale = -1, size = 0], k) {
       const marks = run.marks(k);

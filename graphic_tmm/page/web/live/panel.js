@@ -35,10 +35,12 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
   const put = button(say("put keys"), () => document.dispatchEvent(new CustomEvent("own values", { detail: keysNow() })));
   put.className = "put";
   put.disabled = copy.disabled = true;
+  document.addEventListener("own values left", again);
   document.addEventListener("own values put", (event) => say_(String(/** @type {CustomEvent} */ (event).detail)));
   const text = /** @type {HTMLTextAreaElement} */ (element("textarea", { class: "keys", readonly: "", hidden: "", "aria-label": "TOML", rows: "6" }));
   const list = element("div", { class: "givens" }, ...rows.map((row) => row.element));
-  const made = element("details", { class: "lengths" }, element("summary", {}, say("givens")), told, list, element("div", { class: "bar" }, given, copy, put), text);
+  const made = /** @type {HTMLDetailsElement} */ (element("details", { class: "lengths" }, element("summary", {}, say("givens")), told, list, element("div", { class: "bar" }, given, copy, put), text));
+  made.addEventListener("toggle", leave);
 
   /**
    * @param {Slider} slider
@@ -62,6 +64,25 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
       for (const [one, held] of before) values.set(one, held);
     }
     put.disabled = copy.disabled = values.size === 0;
+    leave();
+  }
+
+  /** Leave whether it is open, and what is not as given, to the page that may be put in this one's place. */
+  function leave() {
+    const own = [...values].map(([slider, value]) => [sliderName(slider), slider.v, value]);
+    document.documentElement.dataset["own"] = JSON.stringify([made.open, own]);
+  }
+
+  /** Take what the page before this one left, of what the scene still gives as it did then. */
+  function again() {
+    const [open, own] = JSON.parse(document.documentElement.dataset["own"] ?? "[false, []]");
+    const kept = own.flatMap((/** @type {[string, number, number]} */ [name, before, value]) =>
+      sliders.filter((one) => sliderName(one) === name && one.v === before).map((one) => [one, value]),
+    );
+    made.open = open;
+    if (kept.length === 0) return;
+    changeAll(new Map(kept));
+    release(values);
   }
 
   function restore() {
@@ -69,6 +90,7 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
     take(values, null);
     rows.forEach((row, n) => row.set(sliders[n]?.v ?? 0, false));
     text.hidden = put.disabled = copy.disabled = true;
+    leave();
   }
 
   function keysNow() {
@@ -110,7 +132,7 @@ export function lengthsPanel(sliders, words, decimal, take, release) {
     });
   }
 
-  return { element: made, say: say_, drag, tell, drop: () => release(values) };
+  return { element: made, say: say_, drag, tell, again, drop: () => release(values) };
 }
 
 /**
@@ -170,6 +192,11 @@ function givenRow(slider, [low, high], decimal, name, { change, release, refuse 
     element("span", {}, slider.u),
   );
   return { element: made, set };
+}
+
+/** @param {Slider} slider */
+function sliderName(slider) {
+  return `${slider.n} ${slider.plan ?? ""}`;
 }
 
 /**
