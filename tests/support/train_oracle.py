@@ -20,6 +20,17 @@ SENSES = {
 }
 """+1: both wheels external; −1: the central one a ring. Of the mesh 1–2, and of the fixed wheel's."""
 
+MESHES = {
+    "ring": ("1+2", "3-2"),
+    "external-internal": ("1+2", "4-3"),
+    "external-external": ("1+2", "4+3"),
+    "internal-internal": ("1-2", "4-3"),
+    "external": ("1+2",),
+    "internal": ("1-2",),
+    "3K": ("1+2", "3-2", "5-4"),
+}
+"""Of every scheme: which central wheel touches which rim of the satellites, from outside (+) or as a ring."""
+
 Four = tuple[int, int, int, int]
 
 
@@ -190,34 +201,45 @@ def valid(draw: random.Random, scheme: str) -> PlanetaryTask:
 
 
 def solved(scheme: str, teeth: tuple[int, ...], given: dict[str, F]) -> dict[str, F] | None:
-    """ω of all four bodies from two of them, by pure rolling at A and C; None if there is no one answer.
+    """ω of all bodies from two of them, by pure rolling in every mesh; None if there is no one answer.
 
-    ω_1·y_A = ω_H·y_B + ω_2·(y_A − y_B), ω_last·y_C = ω_H·y_B + ω_2·(y_C − y_B), and both givens.
+    In a mesh at y the central wheel and the satellite move alike: ω_w·y = ω_H·y_B + ω_2·(y − y_B).
     """
-    a, b, c = radii(scheme, four(scheme, teeth), F(1))
-    last = "3" if scheme == "ring" else "4"
-    names = ["1", last, "H", "2"]
-    rows = [[a, F(0), -b, b - a, F(0)], [F(0), c, -b, b - c, F(0)]]
+    meshes = MESHES[scheme]
+    z = dict(
+        zip(sorted({name for mesh in meshes for name in (mesh[0], mesh[2])}), teeth, strict=True)
+    )
+    axis = F(z["1"] + (1 if meshes[0][1] == "+" else -1) * z["2"], 2)
+    names = [*(mesh[0] for mesh in meshes), "H", "2"]
+    rows = []
+    for mesh in meshes:
+        y = F(z[mesh[0]], 2)
+        due = {mesh[0]: y, "H": -axis, "2": axis - y}
+        rows.append([due.get(name, F(0)) for name in names] + [F(0)])
     rows += [[F(int(name == one)) for one in names] + [value] for name, value in given.items()]
-    for k in range(4):
-        pivot = next((n for n in range(k, 4) if rows[n][k] != 0), None)
+    for k in range(len(names)):
+        pivot = next((n for n in range(k, len(names)) if rows[n][k] != 0), None)
         if pivot is None:
             return None
         rows[k], rows[pivot] = rows[pivot], rows[k]
         rows[k] = [one / rows[k][k] for one in rows[k]]
-        for n in range(4):
+        for n in range(len(names)):
             if n != k:
                 rows[n] = [x - rows[n][k] * y for x, y in zip(rows[n], rows[k], strict=True)]
-    return {name: row[4] for name, row in zip(names, rows, strict=True)}
+    return {name: row[-1] for name, row in zip(names, rows, strict=True)}
 
 
 def random_teeth(draw: random.Random, scheme: str) -> tuple[int, ...]:
     """Tooth numbers of one distance of axes, whether or not they can be made."""
-    first, second = SENSES[scheme]
     while True:
         z1, z2, z3 = (draw.randint(6, 60) for _ in range(3))
-        z4 = z1 + first * z2 - second * z3
         if scheme == "ring":
             return z1, z2, z1 + 2 * z2
+        if scheme == "3K":
+            return z1, z2, z1 + 2 * z2, z3, z1 + z2 + z3
+        if scheme in ("external", "internal"):
+            return (z1, z2) if scheme == "external" else (z1 + z2, z2)
+        first, second = SENSES[scheme]
+        z4 = z1 + first * z2 - second * z3
         if z4 > 0 and z1 + first * z2 > 0:
             return z1, z2, z3, z4

@@ -1,10 +1,15 @@
-"""Planetary trains 2K–H: tooth numbers by three conditions, two views, the pictures of speeds.
+"""Planetary trains: tooth numbers by three conditions, two views, the pictures of speeds.
 
 Willis: seen from the carrier, the train is a plain one with fixed axes, so (ω₁ − ω_H)/(ω₄ − ω_H) is the
 ratio of its tooth numbers with the carrier held. The wheel 4 (3 of a single row) being fixed, U_1H = 1 −
 U_14^(H): 1 + z₃/z₁ for a single row, 1 ± z₂·z₄/(z₁·z₃) for two. The four schemes differ by which central
 wheels are rings. Any of the three coaxial members may stand and any other drive; of a differential none
 stands, and two of the three angular velocities are given.
+
+Two wheels on an arm have one mesh: the satellite's own angular velocity is what is sought. Of three central
+wheels (3K), which share satellites of two rims, the carrier runs idle: U_15 = (1 − U_13^(H))/(1 − U_53^(H))
+where 3 stands. With the carrier held power flows to the satellites and from them, and each mesh takes its
+share: that, and the balance of the three torques, gives torques and efficiency.
 
 Torques: those on the three shafts balance, and the carrier being held the two central wheels have the
 torques of a plain train, M₄ = −M₁·U_14^(H)·η₀^(±1), where + stands if wheel 1 drives in that motion. A train

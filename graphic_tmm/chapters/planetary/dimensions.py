@@ -59,30 +59,31 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
         for wheel, count in zip(scheme.wheels, train.teeth, strict=True)
     }
     k = draft.take(Number, "k", float(train.satellites))
+    modules = dict(zip(scheme.rims, (first, second), strict=False))
     radii = {
         wheel: draft.draw(
-            pitch_radius, f"r_{wheel}", first if wheel in "12" else second, z[wheel], unit="m"
+            pitch_radius, f"r_{wheel}", modules[scheme.mesh(wheel).rim], z[wheel], unit="m"
         )
         for wheel in scheme.wheels
     }
-    rim = "2" if scheme.rows == 1 else "3"
-    fixed = scheme.wheels[-1]
-    axes = _axes(draft, "a_w", scheme.first, first, z["1"], z["2"])
-    again = _axes(draft, "a′_w", scheme.second, second, z[fixed], z[rim])
+    axes, *again = (
+        _axes(draft, letter, mesh.sense, modules[mesh.rim], z[mesh.wheel], z[mesh.rim])
+        for letter, mesh in zip(("a_w", "a′_w", "a″_w"), scheme.meshes, strict=False)
+    )
     motion = motion_of(order)
-    ratio = _ratio(draft, motion, scheme, z) if motion.fixed else None
+    ratio = _ratio(draft, motion, scheme, z) if motion.fixed and again else None
     ha = draft.take(Number, "h_{a}^{*}", order.ha)
     tips = {
-        wheel: draft.draw(t.tip_diameter, f"d_{{a{wheel}}}", module, z[wheel], ha, unit="m")
-        for wheel, module in dict((("2", first), (rim, second))).items()
+        rim: draft.draw(t.tip_diameter, f"d_{{a{rim}}}", module, z[rim], ha, unit="m")
+        for rim, module in modules.items()
     }
     conditions = (
         *_wanted(draft, order, ratio),
-        Condition("coaxial", axes, "=", again),
+        *(Condition("coaxial", axes, "=", other) for other in again),
         *_neighbours(draft, train, axes, k, tips),
-        Condition("assembly", _assembly(draft, scheme, z, k), "whole", None),
+        *_assembly(draft, scheme, z, k),
         *_undercut(draft, order, scheme, z),
-        *_interference(draft, order, scheme, z, ha, {"2": first, rim: second}),
+        *_interference(draft, order, scheme, z, ha, modules),
     )
     return Dimensions(z, k, radii, tips, axes, ratio, conditions)
 
@@ -92,20 +93,27 @@ def _axes(draft: Draft, letter: str, sense: int, module: Mark, centre: Mark, rim
     return draft.draw(op, letter, module, centre, rim, unit="m")
 
 
-def draw_held(draft: Draft, scheme: Scheme, z: Mapping[str, Mark], letter: str) -> Mark:
-    """Calculate the ratio of wheel 1 to the last wheel with the carrier held."""
-    if scheme.rows == 1:
-        return draft.draw(t.held_row, letter, z["1"], z["3"])
-    return draft.draw(t.held_opposed if scheme.opposed else t.held_alike, letter, *z.values())
+def draw_held(
+    draft: Draft, scheme: Scheme, z: Mapping[str, Mark], over: str, under: str, letter: str = ""
+) -> Mark:
+    """Calculate the ratio of a central wheel to another with the carrier held."""
+    one, other = scheme.mesh(over), scheme.mesh(under)
+    letter = letter or f"U_{{{over}{under}}}^{{H}}"
+    if one.rim == other.rim:
+        return draft.draw(t.held_row, letter, z[over], z[under])
+    op = t.held_opposed if one.sense * other.sense < 0 else t.held_alike
+    return draft.draw(op, letter, z[over], z[one.rim], z[other.rim], z[under])
 
 
 def _ratio(draft: Draft, motion: Motion, scheme: Scheme, z: Mapping[str, Mark]) -> Mark:
     """Calculate driving over driven by the formula of Willis."""
-    last, fixed = scheme.wheels[-1], motion.fixed
+    if "H" not in scheme.members:
+        return _ratio_of_three(draft, motion, scheme, z)
+    last, fixed = motion.last, motion.fixed
     over, under = {last: ("1", "H"), "1": (last, "H"), "H": ("1", last)}[fixed]
     letter = f"U_{{{over}{under}}}"
     if fixed == "H":
-        found = draw_held(draft, scheme, z, letter)
+        found = draw_held(draft, scheme, z, over, under, letter)
     else:
         own = (
             [*z.values()]
@@ -119,6 +127,19 @@ def _ratio(draft: Draft, motion: Motion, scheme: Scheme, z: Mapping[str, Mark]) 
             op = t.ratio_opposed if scheme.opposed else t.ratio_alike
             found = draft.draw(op, letter, *own, why=reason)
     return found if motion.first == over else draft.draw(t.inverse_ratio, motion.ratio, found)
+
+
+def _ratio_of_three(draft: Draft, motion: Motion, scheme: Scheme, z: Mapping[str, Mark]) -> Mark:
+    """Calculate driving over driven of three central wheels: each of both over the carrier, by Willis."""
+    to_carrier = [
+        draft.draw(
+            t.ratio_to_carrier,
+            f"U_{{{wheel}H}}^{{{motion.fixed}}}",
+            draw_held(draft, scheme, z, wheel, motion.fixed),
+        )
+        for wheel in (motion.first, motion.driven)
+    ]
+    return draft.draw(t.ratio_of_ratios, motion.ratio, *to_carrier)
 
 
 def _wanted(draft: Draft, order: PlanetaryTask, ratio: Mark | None) -> tuple[Condition, ...]:
@@ -140,12 +161,24 @@ def _neighbours(
     return tuple(Condition("neighbours", between, ">", tip) for tip in tips.values())
 
 
-def _assembly(draft: Draft, scheme: Scheme, z: Mapping[str, Mark], k: Mark) -> Mark:
-    if scheme.rows == 1:
-        return draft.draw(t.assembly_of_row, "N", z["1"], z["3"], k)
-    divisor = draft.draw(t.common_divisor, "D", z["2"], z["3"])
-    op = t.assembly_opposed if scheme.opposed else t.assembly_alike
-    return draft.draw(op, "N", *z.values(), k, divisor)
+def _assembly(
+    draft: Draft, scheme: Scheme, z: Mapping[str, Mark], k: Mark
+) -> tuple[Condition, ...]:
+    """Calculate the number of the assembly of each pair of meshes; a single mesh goes together anyhow."""
+    found = []
+    for pair, letter in zip(scheme.pairs, ("N", "N′"), strict=False):
+        wheels = [z[wheel] for wheel in pair.wheels]
+        if len(pair.meshes) == 1:
+            continue
+        if pair.rows == 1:
+            number = draft.draw(t.assembly_of_row, letter, wheels[0], wheels[2], k)
+        else:
+            name = f"D_{{{pair.rims[0]}{pair.rims[1]}}}" if "D" in scheme.spots else "D"
+            divisor = draft.draw(t.common_divisor, name, wheels[1], wheels[2])
+            op = t.assembly_opposed if pair.opposed else t.assembly_alike
+            number = draft.draw(op, letter, *wheels, k, divisor)
+        found.append(Condition("assembly", number, "whole", None))
+    return tuple(found)
 
 
 def _undercut(
@@ -185,6 +218,4 @@ def _interference(
 
 def rings_of(scheme: Scheme) -> tuple[tuple[str, str], ...]:
     """Return the rings of a scheme, each with the satellites' rim inside it."""
-    rim = "2" if scheme.rows == 1 else "3"
-    first = (("1", "2"),) if scheme.first < 0 else ()
-    return (*first, *(((scheme.wheels[-1], rim),) if scheme.second < 0 else ()))
+    return tuple((mesh.wheel, mesh.rim) for mesh in scheme.meshes if mesh.sense < 0)

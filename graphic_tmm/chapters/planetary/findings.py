@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.planetary.record import BESIDE
-from graphic_tmm.chapters.planetary.tooth_conditions import check
+from graphic_tmm.chapters.planetary.tooth_verdicts import check
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said

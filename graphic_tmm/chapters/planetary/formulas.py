@@ -131,6 +131,25 @@ def held_alike(z1: Number, z2: Number, z3: Number, z4: Number) -> Number:
     """{z2}·{z4}/({z1}·{z3})"""
 
 
+@formula(
+    why=said(
+        "By Willis: with that wheel held the carrier moves, and the ratio to it is 1 less the one with the "
+        "carrier held."
+    )
+)
+def ratio_to_carrier(held: Number) -> Number:
+    """1 − {held}"""
+
+
+@formula(
+    holds="{driven} ≠ 0",
+    fails=_STANDS,
+    why=said("Both ratios are to one carrier: the one wheel over the other is their quotient."),
+)
+def ratio_of_ratios(driving: Number, driven: Number) -> Number:
+    """{driving}/{driven}"""
+
+
 _WILLIS = said(
     "Seen from the carrier the train is a plain one (Willis): (ω_1 − ω_H)/(ω_n − ω_H) is the ratio with the "
     "carrier held, and two of the three angular velocities are given."

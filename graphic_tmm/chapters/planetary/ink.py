@@ -59,12 +59,12 @@ def circle_rules(ink: TrainInk) -> dict[Mark, Rule]:
     """What stays of the view along the axis: circles, centre lines, the levels of A, B and C."""
     end, c = ink.made.end, ink.centre
     ways = ink.seen.by_mark[end.satellites].uses[0]
-    out = max(ink.radius(w) for w in ink.wheels[1:-1]) + CENTRE_BEYOND
+    out = max(ink.radius(w) for w in ink.rims) + CENTRE_BEYOND
 
     def main_axis(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         right = complex(ink.scheme.right + OVER, c.imag)
         yield line("centre", c - ink.beyond, right)
-        yield line("thin", right, ink.zeros[0])
+        yield line("thin", right, ink.zeros["O"])
 
     def below(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         yield line("centre", c, c - 1j * ink.beyond)
@@ -77,8 +77,8 @@ def circle_rules(ink: TrainInk) -> dict[Mark, Rule]:
     rules: dict[Mark, Rule] = dict.fromkeys(end.circles.values(), pitch_circle)
     rules |= {end.axis: main_axis, end.up: below, ways: through_satellite}
     return rules | {
-        level: leaving(line("thin", a, b))
-        for level, a, b in zip(end.levels, ink.points, ink.zeros[1:], strict=True)
+        level: leaving(line("thin", ink.points[at], ink.zeros[at]))
+        for at, level in end.levels.items()
     }
 
 
@@ -101,17 +101,20 @@ def draw_circle_bodies(ink: TrainInk) -> Iterator[Ink]:
 def circle_letters(ink: TrainInk) -> list[Wanted]:
     """The numbers of the wheels, the letters of the centre, of B and of the points of contact.
 
-    C stands on the fixed wheel: where that is a ring, below it, off its ground.
+    A letter on a ring stands below it, off its ground.
     """
     end, small = ink.made.end, ink.heights.point
     wanted = [Wanted("O", ink.centre, small, 1.5, -1 + 1j, (end.origin.slot,))]
-    for name, at, mark in zip("ABC", ink.points, end.points, strict=True):
-        below = name == "C" and ink.ring(ink.last)
-        wanted.append(Wanted(name, at, small, 1.5, 1 - 1j if below else 1 + 1j, (mark.slot,)))
+    spots = ink.made.train.scheme.spots
+    for name, mark in end.points.items():
+        below = name > "B" and ink.ring(spots[name])
+        toward = 1 - 1j if below else 1 + 1j
+        wanted.append(Wanted(name, ink.points[name], small, 1.5, toward, (mark.slot,)))
     between = min(180.0 / len(ink.axes), 70.0)
-    turns = (90.0 + between, 90.0 - between)
-    wanted += _tooth_numbers(ink, ink.centre, ("1", ink.last), turns)
-    wanted += _tooth_numbers(ink, ink.axes[0], ink.wheels[1:-1], (135.0, 330.0))
+    third = 3.0 * between if len(ink.axes) > 2 else 180.0 + between
+    turns = (90.0 + between, 90.0 - between, 90.0 + third)
+    wanted += _tooth_numbers(ink, ink.centre, ink.central, turns)
+    wanted += _tooth_numbers(ink, ink.axes[0], ink.rims, (135.0, 330.0))
     of = (end.satellites.slot,)
     last = ink.seen.positions[-1]
     wanted.append(Wanted("H", _free(ink), ink.heights.point, 0.8, 1j, of, last))
@@ -141,8 +144,7 @@ def _tooth_numbers(
 def _free(ink: TrainInk) -> complex:
     """The middle of the longest part of the last arm of the carrier that no circle cuts."""
     axis = ink.radius("H")
-    cuts = [ink.radius("1"), ink.radius(ink.last)]
-    cuts += [axis - ink.radius(w) for w in ink.wheels[1:-1]]
+    cuts = [*map(ink.radius, ink.central), *(axis - ink.radius(w) for w in ink.rims)]
     marks = sorted([0.0, axis, *(cut for cut in cuts if 0.0 < cut < axis)])
     low, high = max(pairwise(marks), key=lambda part: round(part[1] - part[0], 6))
     way = (ink.axes[-1] - ink.centre) / axis
@@ -191,7 +193,7 @@ def _bodies(ink: TrainInk) -> Mapping[str, tuple[Mark, ...]]:
 
 def _scheme(ink: TrainInk) -> Iterator[Ink]:
     marks = _bodies(ink)
-    rims = [mark for wheel in ink.wheels[1:-1] for mark in marks[wheel]]
+    rims = [mark for wheel in ink.rims for mark in marks[wheel]]
     for name, strokes in draw_scheme(ink.scheme):
         on = (*rims, *marks[name]) if name == "H" else marks[name]
         yield from body(strokes, "carrier" if name == "H" else "wheel", on)
@@ -219,7 +221,7 @@ def _captions(ink: TrainInk, captions: Captions) -> list[list[Label]]:
     One that would stand on another, or on the pair behind the train, goes below it; that of the picture keeps
     clear of the scheme.
     """
-    picture = [z.real for z in (*ink.zeros, *ink.tips.values())]
+    picture = [z.real for z in (*ink.zeros.values(), *ink.tips.values())]
     rates = [z.real for z in (ink.foot, *ink.ends.values())]
     views = [ink.centre.real - ink.beyond, ink.scheme.right]
     low = min([ink.centre.imag - ink.beyond, *(side.far.imag for side in ink.scheme.pair.values())])

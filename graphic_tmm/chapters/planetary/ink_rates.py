@@ -22,14 +22,14 @@ DOT = 0.5
 
 def picture_rules(ink: TrainInk) -> dict[Mark, Rule]:
     """What stays of the picture: its zero line, the velocities of A, B and C, the lines of the bodies."""
-    picture, feet = ink.made.picture, dict(zip("OABC", ink.zeros, strict=True))
-    high = max(ink.zeros, key=lambda z: z.imag) + 1j * OVER
-    zero = ink.seen.by_mark[picture.zeros[1]].uses[0]
-    rules = {zero: _drawn("thin", ink.zeros[0], high)}
+    picture = ink.made.picture
+    high = max(ink.zeros.values(), key=lambda z: z.imag) + 1j * OVER
+    zero = ink.seen.by_mark[picture.zeros["A"]].uses[0]
+    rules = {zero: _drawn("thin", ink.zeros["O"], high)}
     for key, end in picture.ends.items():
         told = picture.readings[key], picture.speeds[key]
         known = not _measured(ink, told[0])
-        rules[end if known else told[0]] = _vector(ink, feet[key], ink.tips[key], *told)
+        rules[end if known else told[0]] = _vector(ink, ink.zeros[key], ink.tips[key], *told)
     for key, spots in body_spots(ink).items():
         low, *_, top = sorted(spots, key=lambda z: z.imag)
         rules[picture.lines[key]] = _drawn("main", low, top)
@@ -38,11 +38,11 @@ def picture_rules(ink: TrainInk) -> dict[Mark, Rule]:
 
 def body_spots(ink: TrainInk) -> dict[str, list[complex]]:
     """Return the points of each body's line: where it stands and where velocities end."""
-    stands = dict(zip("ABC", ink.zeros[1:], strict=True))
-    spots = {"2": [ink.tips.get(at, stands[at]) for at in "ABC"]}
-    for name, at in (("1", "A"), ("H", "B"), (ink.last, "C")):
+    points = ink.made.train.scheme.spots
+    spots = {ink.rims[0]: [ink.tips.get(at, ink.zeros[at]) for at in points]}
+    for at, name in points.items():
         if name in ink.made.picture.lines:
-            spots[name] = [ink.zeros[0], ink.tips[at]]
+            spots[name] = [ink.zeros["O"], ink.tips[at]]
     return {name: spots[name] for name in ink.made.picture.lines}
 
 
@@ -88,7 +88,7 @@ def rate_rules(ink: TrainInk) -> dict[Mark, Rule]:
     """What stays of the plan: the line of angular velocities with its points, the rays from the pole."""
     rates = ink.made.rates
     xs = [ink.foot.real, *(z.real for z in ink.ends.values())]
-    y, base = ink.foot.imag, ink.seen.by_mark[rates.ends["2"]].uses[0]
+    y, base = ink.foot.imag, ink.seen.by_mark[rates.ends[ink.rims[0]]].uses[0]
     rules = {
         base: _drawn("main", complex(min(xs) - OVER, y), complex(max(xs) + OVER, y)),
         rates.foot: _dot(circle("main", ink.foot, DOT, filled=True)),
@@ -117,13 +117,13 @@ def draw_pole(ink: TrainInk) -> Iterator[Ink]:
 def picture_letters(ink: TrainInk) -> list[Wanted]:
     """The letters of the zero line and of the ends of velocities, the bodies of the lines."""
     picture, small = ink.made.picture, ink.heights.point
-    away = -1.0 if sum((tip - ink.zeros[0]).real for tip in ink.tips.values()) > 0.0 else 1.0
-    slots = [(mark.slot,) for mark in picture.zeros]
-    wanted = [Wanted("O", ink.zeros[0], small, ASIDE, away - 1j, slots[0])]
-    for name, at, of in zip("ABC", ink.zeros[1:], slots[1:], strict=True):
-        wanted.append(Wanted(name, at, small, ASIDE, away + 1j, of))
+    away = -1.0 if sum((tip - ink.zeros["O"]).real for tip in ink.tips.values()) > 0.0 else 1.0
+    wanted = list[Wanted]()
+    for name, at in ink.zeros.items():
+        way = away - 1j if name == "O" else away + 1j
+        wanted.append(Wanted(name, at, small, ASIDE, way, (picture.zeros[name].slot,)))
     for name, at in ink.tips.items():
-        way = at - ink.zeros["OABC".index(name)]
+        way = at - ink.zeros[name]
         if abs(way) >= LEAST:
             of = (picture.ends[name].slot,)
             wanted.append(Wanted(name.lower(), at, small, 0.8, way, of))
@@ -138,7 +138,7 @@ def picture_letters(ink: TrainInk) -> list[Wanted]:
 
 def _name(ink: TrainInk, key: str) -> str:
     """What a body is called: satellites of two rims by both."""
-    return ", ".join(ink.wheels[1:-1]) if key == "2" else key
+    return ", ".join(ink.rims) if key == ink.rims[0] else key
 
 
 def rate_letters(ink: TrainInk) -> list[Wanted]:

@@ -10,8 +10,8 @@ import numpy as np
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.planetary.motion import Motion
 from graphic_tmm.chapters.planetary.pictures import VIEW, Disc
-from graphic_tmm.chapters.planetary.plan import Planetary
-from graphic_tmm.chapters.planetary.task import Scheme
+from graphic_tmm.chapters.planetary.plan import Planetary, reach_of
+from graphic_tmm.chapters.planetary.task import Mesh, Scheme
 from graphic_tmm.paper.drawing import Stroke, line
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.seen import Seen
@@ -68,53 +68,74 @@ class Scheme2KH(NamedTuple):
     motion: Motion
 
     @property
-    def last(self) -> Side:
-        """The second central wheel."""
-        return self.wheels[self.scheme.wheels[-1]]
+    def last(self) -> Side | None:
+        """The second central wheel; None of two wheels on an arm."""
+        others = self.scheme.meshes[1:]
+        return self.wheels[others[-1].wheel] if others else None
+
+    @property
+    def idle(self) -> bool:
+        """Whether the carrier runs idle on the shaft of wheel 1: all three central wheels have shafts."""
+        return "H" not in self.scheme.members
 
     @property
     def right(self) -> float:
-        """Where the shaft of the carrier ends."""
-        if self.pair and self.motion.driven == "H":
+        """Where the shaft of the carrier ends, or that of the last wheel where the carrier runs idle."""
+        if self.pair and self.motion.driven != "1":
             return next(iter(self.pair.values())).centre.real + WIDTH / 2 + STUB
+        if self.last is None:
+            return self.arm[1].real + WIDTH / 2 + SHAFT
         beyond = self.hub[1] if self.turns_outside else self.last.centre.real + WIDTH / 2
+        if self.idle and self.motion.fixed != self.motion.last:
+            beyond += DISC
         return max(beyond, self.arm[1].real + WIDTH / 2) + SHAFT
 
     @property
     def turns_outside(self) -> bool:
         """Whether the last wheel is a ring that turns, on a hollow shaft around that of the carrier."""
-        return self.scheme.second < 0 and self.motion.fixed != self.scheme.wheels[-1]
+        ring = self.last is not None and self.scheme.second < 0
+        return ring and not self.idle and self.motion.fixed != self.motion.last
 
     @property
     def hub(self) -> tuple[float, float]:
         """From where to where the hollow shaft of such a ring reaches."""
+        assert self.last is not None
         start = max(self.last.centre.real + WIDTH / 2, self.arm[1].real + STUB) + DISC
         return start, start + HUB
+
+    @property
+    def before(self) -> float:
+        """How far left of wheel 1 its shaft begins: behind its disc, if it is a ring, or what is on it."""
+        if self.idle:
+            return self.wheels["1"].centre.real - self.arm[1].real + BEARING / 2 + self.hub_before
+        return DISC if self.scheme.first < 0 else 0.0
+
+    @property
+    def hub_before(self) -> float:
+        """How far left of the arm of an idle carrier the hollow shaft of a ring 3 that turns reaches."""
+        return 0.0 if self.motion.fixed == "3" else DISC + HUB
 
     @property
     def left(self) -> float:
         """Where the shaft of wheel 1 begins."""
         if self.pair and self.motion.driven == "1":
             return next(iter(self.pair.values())).centre.real - WIDTH / 2 - STUB
-        disc = DISC if self.scheme.first < 0 else 0.0
-        return self.wheels["1"].centre.real - WIDTH / 2 - disc - SHAFT
+        return self.wheels["1"].centre.real - WIDTH / 2 - self.before - SHAFT
 
     @property
     def bearing_middle(self) -> float:
         """The middle of the bearing of wheel 1."""
-        disc = DISC if self.scheme.first < 0 else 0.0
-        return self.wheels["1"].centre.real - WIDTH / 2 - disc - SHAFT / 2
+        return self.left + SHAFT / 2
 
 
 def draw_scheme(made: Scheme2KH) -> Iterator[tuple[str, Strokes]]:
     """Yield the bodies of the scheme: the name of a wheel or of the carrier, and its strokes."""
-    first, last = made.scheme.wheels[0], made.scheme.wheels[-1]
-    yield first, _first(made, made.wheels[first])
-    rims = {name: made.wheels[name] for name in made.scheme.wheels[1:-1]}
+    yield "1", _first(made, made.wheels["1"])
+    rims = {name: made.wheels[name] for name in made.scheme.rims}
     for name, rim in rims.items():
         yield name, gear_side(rim.centre, rim.radius, WIDTH)
-    stands = made.motion.fixed == last
-    yield last, tuple(_ring_on_hub(made) if made.turns_outside else _last(made, stands=stands))
+    for mesh in made.scheme.meshes[1:]:
+        yield mesh.wheel, tuple(_other(made, mesh))
     yield "H", tuple(_carrier(made, list(rims.values())))
     for k, (name, wheel) in enumerate(made.pair.items()):
         own = gear_side(wheel.centre, wheel.radius, WIDTH)
@@ -133,18 +154,16 @@ def occupied(made: Scheme2KH) -> list[tuple[float, float, float, float]]:
 
 def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
     """Return where the numbers of the wheels and the letter of the carrier stand: a point, a direction."""
-    first, last, half = made.wheels["1"], made.last, WIDTH / 2
+    first, half = made.wheels["1"], WIDTH / 2
     beside = half + (DISC if made.scheme.first < 0 else 0.0)
     found = {"1": (first.centre - beside - 0.55j * first.radius, -1 + 0j)}
-    second = made.wheels["2"]
-    outward = 1 if made.scheme.first > 0 else -1
-    found["2"] = (second.centre - half + 0.5j * outward * second.radius, -1 + 0j)
-    if "4" in made.wheels:
-        third = made.wheels["3"]
-        outward = 1 if made.scheme.second > 0 else -1
-        found["3"] = (third.centre + half + 0.5j * outward * third.radius, 1 + 0j)
-    depth = 0.5 * RIM if made.scheme.second < 0 else -0.3 * last.radius
-    found[made.scheme.wheels[-1]] = (last.centre + half - 1j * (last.radius + depth), 1 + 0j)
+    for rim, way in zip(made.scheme.rims, (-1, 1), strict=False):
+        wheel, outward = made.wheels[rim], made.scheme.mesh(rim).sense
+        found[rim] = (wheel.centre + way * half + 0.5j * outward * wheel.radius, way + 0j)
+    for name, _, sense in made.scheme.meshes[1:]:
+        wheel = made.wheels[name]
+        depth = 0.5 * RIM if sense < 0 else -0.3 * wheel.radius
+        found[name] = (wheel.centre + half - 1j * (wheel.radius + depth), 1 + 0j)
     for name, wheel in made.pair.items():
         found[name] = (wheel.centre + half + 0.5j * (wheel.far - wheel.centre).imag, 1 + 0j)
     axis, foot = made.arm
@@ -161,17 +180,33 @@ def _first(made: Scheme2KH, wheel: Side) -> Strokes:
     if made.scheme.first > 0:
         own = gear_side(wheel.centre, wheel.radius, WIDTH)
         return (*own, line("main", end, wheel.centre + WIDTH / 2 + STUB), *bearing)
-    disc = wheel.centre.real - WIDTH / 2 - DISC
-    top = wheel.radius + RIM / 2
-    strokes = [*_rim(wheel, 1), *_rim(wheel, -1), *bearing]
-    strokes.append(line("main", end, complex(disc, 0)))
-    strokes.append(
-        line(
-            "main",
-            complex(disc + DISC, top), complex(disc, top), complex(disc, -top), complex(disc + DISC, -top),
-        )
-    )  # fmt: skip
-    return tuple(strokes)
+    return (*_ring_on_shaft(wheel, made.left, -1), *bearing)
+
+
+def _other(made: Scheme2KH, mesh: Mesh) -> Iterator[Stroke]:
+    """Another central wheel: on the ground, in its bearings or on its shaft."""
+    wheel, stands = made.wheels[mesh.wheel], made.motion.fixed == mesh.wheel
+    if made.turns_outside:
+        yield from _ring_on_hub(wheel, *made.hub)
+    elif stands or not made.idle:
+        yield from _last(wheel, mesh.sense, stands=stands)
+    elif wheel == made.last:
+        yield from _ring_on_shaft(wheel, made.right, 1)
+        middle = wheel.centre.real + WIDTH / 2 + DISC + SHAFT / 2
+        yield from _bearing(complex(middle, 0.0))
+    else:
+        start = made.arm[1].real - BEARING / 2 - DISC
+        yield from _ring_on_hub(wheel, start, start - HUB)
+
+
+def _ring_on_shaft(wheel: Side, end: float, way: int) -> Iterator[Stroke]:
+    """A ring with its disc beside it, to the right (1) or to the left (−1), and its shaft."""
+    side = wheel.centre.real + way * WIDTH / 2
+    disc, top = side + way * DISC, wheel.radius + RIM / 2
+    yield from (*_rim(wheel, 1), *_rim(wheel, -1))
+    yield line("main", complex(end), complex(disc))
+    corners = ((side, top), (disc, top), (disc, -top), (side, -top))
+    yield line("main", *(complex(*corner) for corner in corners))
 
 
 def _rim(wheel: Side, sense: int) -> Strokes:
@@ -182,16 +217,17 @@ def _rim(wheel: Side, sense: int) -> Strokes:
     return (line("main", *(complex(*corner) for corner in corners), closed=True),)
 
 
-def _ring_on_hub(made: Scheme2KH) -> Iterator[Stroke]:
-    """A ring that turns, its disc behind the arm, its hollow shaft around that of the carrier."""
-    wheel, (start, end) = made.last, made.hub
+def _ring_on_hub(wheel: Side, start: float, end: float) -> Iterator[Stroke]:
+    """A ring that turns, its disc behind the arm, its hollow shaft around another, from start to end."""
+    way = 1 if end > start else -1
     for sense in (1, -1):
         yield from _rim(wheel, sense)
-        rim = complex(wheel.centre.real + WIDTH / 2, sense * (wheel.radius + RIM / 2))
+        rim = complex(wheel.centre.real + way * WIDTH / 2, sense * (wheel.radius + RIM / 2))
         low = 1j * sense * HOLLOW
         yield line("main", rim, complex(start, rim.imag), start + low, end + low)
-        beside = end - HUB / 4 + low + 1j * sense * GAP
-        yield from guide(beside - BEARING, beside, sides=(sense,))
+        beside = end - way * HUB / 4 + low + 1j * sense * GAP
+        ends = sorted((beside - way * BEARING, beside), key=lambda z: z.real)
+        yield from guide(*ends, sides=(sense,))
 
 
 def _built_in(at: complex, way: int) -> Strokes:
@@ -200,12 +236,11 @@ def _built_in(at: complex, way: int) -> Strokes:
     return (line("main", *ends), *hatching(*ends, 1))
 
 
-def _last(made: Scheme2KH, *, stands: bool) -> list[Stroke]:
+def _last(wheel: Side, sense_of_mesh: int, *, stands: bool) -> list[Stroke]:
     """A ring with its ground, or a wheel on its hollow hub, on the ground or in a bearing."""
-    wheel, half = made.last, WIDTH / 2
-    x, strokes = wheel.centre.real, list[Stroke]()
+    half, x, strokes = WIDTH / 2, wheel.centre.real, list[Stroke]()
     for sense in (1, -1):
-        if made.scheme.second < 0:
+        if sense_of_mesh < 0:
             strokes += _rim(wheel, sense)
             y = sense * (wheel.radius + RIM)
             ends = complex(x - half - GROUND, y), complex(x + half + GROUND, y)
@@ -231,17 +266,24 @@ def _last(made: Scheme2KH, *, stands: bool) -> list[Stroke]:
 def _carrier(made: Scheme2KH, rims: list[Side]) -> list[Stroke]:
     """The satellite's axle in the bearing of the arm, the arm, the shaft of the carrier."""
     axis, foot = made.arm
-    begin = min(rim.centre.real for rim in rims) - WIDTH / 2 - STUB
+    begin = min(axis.real - BEARING / 2, *(rim.centre.real - WIDTH / 2 for rim in rims)) - STUB
     end = max(axis.real + BEARING / 2, *(rim.centre.real + WIDTH / 2 for rim in rims)) + STUB
     strokes = [line("main", complex(begin, axis.imag), complex(end, axis.imag))]
     for gap in (GAP, -GAP):
         middle = axis + 1j * gap
         strokes.append(line("main", middle - BEARING / 2, middle + BEARING / 2))
+    if made.idle:
+        sleeve = (
+            line("main", *(foot + 1j * gap + x for x in (-BEARING / 2, BEARING / 2)))
+            for gap in (GAP, -GAP)
+        )
+        return [*strokes, line("main", foot + 1j * GAP, axis - 1j * GAP), *sleeve]
     right = complex(made.right, 0)
     strokes += [line("main", foot, axis - 1j * GAP), line("main", foot, right)]
     if made.motion.fixed == "H":
         return [*strokes, *_built_in(right, 1)]
-    beside = max(made.last.centre.real, foot.real) + WIDTH / 2 + 2 * SHAFT / 3
+    behind = foot.real if made.last is None else made.last.centre.real
+    beside = max(behind, foot.real) + WIDTH / 2 + 2 * SHAFT / 3
     if made.turns_outside:
         beside = made.hub[1] + SHAFT / 2
     return [*strokes, *_bearing(complex(beside, 0.0))]
@@ -275,14 +317,14 @@ ASIDE = 2.2
 class TrainInk:
     """The places of a train's marks, mm.
 
-    ``points``: A, B, C of the circles; ``zeros``: O, A, B, C beside them; ``tips``: ends of velocities by
-    the point.
+    ``points``: A, B, C of the circles; ``zeros``: O, A, B, C beside them; ``tips``: ends of velocities; all by
+    their letters.
     """
 
     def __init__(self, seen: Seen, made: Planetary, heights: Heights) -> None:
         self.seen, self.made, self.heights = seen, made, heights
-        self.wheels = made.train.scheme.wheels
-        self.last, self.fixed = self.wheels[-1], made.motion.fixed
+        self.fixed, self.rims = made.motion.fixed, made.train.scheme.rims
+        self.central = tuple(mesh.wheel for mesh in made.train.scheme.meshes)
         discs = {wheel: self.side(disc) for wheel, disc in made.axial.discs.items()}
         pair = made.pair.discs if made.pair is not None else {}
         axis, foot = (self.fixed_place(mark) for mark in made.axial.arm)
@@ -294,8 +336,8 @@ class TrainInk:
             made.motion,
         )
         self.centre = self.fixed_place(made.end.origin)
-        self.points = [self.fixed_place(mark) for mark in made.end.points]
-        self.zeros = [self.fixed_place(mark) for mark in made.picture.zeros]
+        self.points = {at: self.fixed_place(mark) for at, mark in made.end.points.items()}
+        self.zeros = {at: self.fixed_place(mark) for at, mark in made.picture.zeros.items()}
         self.tips = {at: self.fixed_place(mark) for at, mark in made.picture.ends.items()}
         self.pole, self.foot = self.fixed_place(made.rates.pole), self.fixed_place(made.rates.foot)
         self.ends = {body: self.fixed_place(mark) for body, mark in made.rates.ends.items()}
@@ -325,9 +367,9 @@ class TrainInk:
 
     def _reach(self) -> float:
         """The radius that the view along the axis takes."""
-        out = [self.radius(w) + (RIM if self.ring(w) else 0.0) for w in ("1", self.last)]
-        rims = [self.radius(w) for w in self.wheels[1:-1]]
-        return max(*out, self.radius("H") + max(rims))
+        rings = [self.radius(w) + RIM for w in self.central if self.ring(w)]
+        radii = {name: self.radius(name) for name in self.made.end.lengths}
+        return max(reach_of(self.made.train.scheme, radii), *rings, 0.0)
 
     @property
     def beyond(self) -> float:

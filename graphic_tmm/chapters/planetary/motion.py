@@ -14,7 +14,8 @@ class Motion(NamedTuple):
     """Which of the three coaxial members of a train move, and how.
 
     ``driving``: angular velocities that are given, 1/s, by the member; ``fixed``: the member that stands, "" in
-    a differential, where two are given; ``driven``: the one that is left; ``last``: the second central wheel.
+    a differential, where two are given; ``driven``: the one that is left, "2" where none is: the satellite;
+    ``last``: the last central wheel.
     """
 
     driving: Mapping[str, float]
@@ -41,12 +42,11 @@ def motion_of(order: PlanetaryTask) -> Motion:
     TaskError
         If one drives and stands, two have one speed, or it is not told which stands.
     """
-    last = SCHEMES[order.scheme].wheels[-1]
-    members, two = ("1", last, "H"), isinstance(order.speed, tuple)
+    scheme, two = SCHEMES[order.scheme], isinstance(order.speed, tuple)
+    members, (drives, stands) = scheme.members, scheme.usual
     speeds = order.speed if isinstance(order.speed, tuple) else (order.speed,)
-    usual = ("1", last) if two else ("1",)
     drivers = (order.driving,) if isinstance(order.driving, str) else order.driving
-    driving = usual if drivers == ("1",) else drivers
+    driving = tuple(sorted(scheme.usual)) if two and drivers == (drives,) else drivers
     for asked, names in (("driving", driving), ("fixed", (order.fixed,))):
         for name in names:
             if name and name not in members:
@@ -62,9 +62,11 @@ def motion_of(order: PlanetaryTask) -> Motion:
         raise refused("speed", says)
     if two and order.fixed:
         raise refused("fixed", said("two shafts of a differential drive: leave fixed out"))
-    fixed = "" if two else order.fixed or (last if last not in driving else "")
+    others = [name for name in members if name not in driving]
+    usual = stands if stands in others else others[0] if len(others) == 1 else ""
+    fixed = "" if two else order.fixed or usual
     if not two and (not fixed or fixed in driving):
-        other = ", ".join(f'"{name}"' for name in members if name not in driving)
+        other = ", ".join(f'"{name}"' for name in others)
         raise refused(
             "fixed",
             said(
@@ -73,8 +75,8 @@ def motion_of(order: PlanetaryTask) -> Motion:
                 other=other,
             ),
         )
-    (driven,) = (name for name in members if name not in driving and name != fixed)
-    return Motion(dict(zip(driving, speeds, strict=True)), fixed, driven, last)
+    driven = next((name for name in others if name != fixed), scheme.rims[0])
+    return Motion(dict(zip(driving, speeds, strict=True)), fixed, driven, scheme.meshes[-1].wheel)
 
 
 def refused(key: str, message: str) -> TaskError:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.planetary.plan import Planetary
-from graphic_tmm.chapters.planetary.tooth_conditions import check
+from graphic_tmm.chapters.planetary.tooth_verdicts import check
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Runs
 from graphic_tmm.note.page import RESULTS, Page

@@ -36,20 +36,13 @@ from graphic_tmm.scene.declare import bound_of
 VIEW = "planetary"
 
 
-class Levels(NamedTuple):
-    """The lines parallel to the axis through A, B and C."""
-
-    A: Mark
-    B: Mark
-    C: Mark
-
-
 @dataclass(frozen=True)
 class EndView:
     """The train seen along its axis.
 
     ``lengths``: the radii of the wheels on the board, by wheel, and that of the axes as "H" (Length).
     ``circles``: pitch circles by wheel (Arc). ``satellites``: axes of the satellites (Point, a position each).
+    ``levels``: the lines parallel to the axis through the ``points`` A, B, C of the line of centres, by letter.
     ``between``: from axis to axis of neighbours as measured, None for one satellite.
     """
 
@@ -59,8 +52,8 @@ class EndView:
     lengths: Mapping[str, Mark]
     circles: Mapping[str, Mark]
     satellites: Mark
-    levels: Levels
-    points: tuple[Mark, Mark, Mark]
+    levels: Mapping[str, Mark]
+    points: Mapping[str, Mark]
     between: Mark | None
 
 
@@ -100,8 +93,12 @@ class PairView:
 
 def draw_end_view(draft: Draft, train: Train, sizes: Dimensions) -> EndView:
     """Draw the pitch circles."""
-    fixed = train.scheme.wheels[-1]
-    names = {"1": "OA", "2": "BA", "3": "BC", fixed: "OC"}
+    scheme = train.scheme
+    central = {member: letter for letter, member in scheme.spots.items()}
+    names = dict[str, str]()
+    for mesh in scheme.meshes:
+        letter = central[mesh.wheel]
+        names |= {mesh.wheel: f"O{letter}", mesh.rim: names.get(mesh.rim, f"B{letter}")}
     lengths = {
         wheel: draft.draw(to_board, names[wheel], radius) for wheel, radius in sizes.radii.items()
     }
@@ -109,33 +106,33 @@ def draw_end_view(draft: Draft, train: Train, sizes: Dimensions) -> EndView:
     origin = draft.take(Point, "O", 0j)
     axis = draft.draw(ray, "(Ox)", origin, draft.direction(0.0), why=why.AXIS)
     up = draft.draw(square, "(Oy)", origin, axis, sense=1, why=why.AXIS)
-    points = tuple(
-        draft.draw(lay_off, letter, up, lengths[wheel], why=why.MESH)
-        for letter, wheel in (("A", "1"), ("B", "H"), ("C", fixed))
-    )
+    points = {
+        letter: draft.draw(lay_off, letter, up, lengths[member], why=why.MESH)
+        for letter, member in scheme.spots.items()
+    }
     turns = 90.0 + 360.0 * np.arange(train.satellites) / train.satellites
     places = draft.take(Angle, "φ", turns[None, :], "°")
     ways = draft.draw(ray, "(OO_2)", origin, places, why=why.SATELLITES)
     satellites = draft.draw(lay_off, "O_2", ways, lengths["H"], why=why.SATELLITES)
     circles = {
         wheel: draft.draw(
-            strike, f"({wheel})", origin if wheel in ("1", fixed) else satellites, lengths[wheel]
+            strike, f"({wheel})", origin if wheel in central else satellites, lengths[wheel]
         )
-        for wheel in train.scheme.wheels
+        for wheel in scheme.wheels
     }
     between = None
     if train.satellites > 1:
         after = draft.draw(next_satellite, "O′_2", satellites, row=train.satellites)
         between = draft.draw(measure, "O_2O′_2", satellites, after)
     draft.figure("carrier", "H", origin, satellites)
-    for wheel, sense in (("1", train.scheme.first), (fixed, train.scheme.second)):
-        if sense < 0:
-            draft.figure("ring", wheel, circles[wheel])
-    a, b, c = points
-    levels = Levels(
-        *(draft.draw(parallel, f"({p.letter})", p, axis, sense=1, why=why.LEVEL) for p in points)
-    )
-    return EndView(origin, axis, up, lengths, circles, satellites, levels, (a, b, c), between)
+    for mesh in scheme.meshes:
+        if mesh.sense < 0:
+            draft.figure("ring", mesh.wheel, circles[mesh.wheel])
+    levels = {
+        letter: draft.draw(parallel, f"({letter})", point, axis, sense=1, why=why.LEVEL)
+        for letter, point in points.items()
+    }
+    return EndView(origin, axis, up, lengths, circles, satellites, levels, points, between)
 
 
 def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
@@ -155,27 +152,27 @@ def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
         name: draft.draw(square, f"(−{name})", feet[name], end.axis, sense=-1, why=why.DISC)
         for name in names[:-1]
     }
-    last = names[-2]
-    fixed, rim = scheme.wheels[-1], "2" if scheme.rows == 1 else "3"
+    row = dict(zip(scheme.rims, names, strict=False))
     discs = {}
-    for wheel, row, k in (("1", "I", 0), (fixed, last, 2)):
-        letter = f"{end.points[k].letter}_{{{row}}}"
-        near = draft.draw(meet, letter, lines[row], end.levels[k], why=why.DISC)
-        far = draft.draw(lay_off, f"{near.letter}′", downs[row], end.lengths[wheel], why=why.DISC)
-        discs[wheel] = Disc(near, far, feet[row])
+    for letter, member in scheme.spots.items():
+        if member == "H":
+            continue
+        at = row[scheme.mesh(member).rim]
+        near = draft.draw(meet, f"{letter}_{{{at}}}", lines[at], end.levels[letter], why=why.DISC)
+        far = draft.draw(lay_off, f"{near.letter}′", downs[at], end.lengths[member], why=why.DISC)
+        discs[member] = Disc(near, far, feet[at])
     axes = {
-        name: draft.draw(meet, f"B_{{{name}}}", lines[name], end.levels.B, why=why.DISC)
+        name: draft.draw(meet, f"B_{{{name}}}", lines[name], end.levels["B"], why=why.DISC)
         for name in names
     }
-    for wheel, row, sense, near in (
-        ("2", "I", scheme.first, discs["1"].near),
-        (rim, last, scheme.second, discs[fixed].near),
-    ):
-        if wheel in discs:
-            continue
-        away = draft.draw(square, f"(B_{{{row}}})", axes[row], end.axis, sense=sense, why=why.DISC)
-        far = draft.draw(lay_off, f"D_{{{row}}}", away, end.lengths[wheel], why=why.DISC)
-        discs[wheel] = Disc(near, far, axes[row])
+    across = "E" if "D" in scheme.spots else "D"
+    for rim, at in row.items():
+        mesh = scheme.mesh(rim)
+        away = draft.draw(
+            square, f"(B_{{{at}}})", axes[at], end.axis, sense=mesh.sense, why=why.DISC
+        )
+        far = draft.draw(lay_off, f"{across}_{{{at}}}", away, end.lengths[rim], why=why.DISC)
+        discs[rim] = Disc(discs[mesh.wheel].near, far, axes[at])
     for wheel, disc in discs.items():
         draft.figure("disc", wheel, *disc)
     draft.figure("arm", "H", axes["H"], feet["H"])

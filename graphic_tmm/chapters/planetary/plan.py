@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
@@ -23,7 +21,7 @@ from graphic_tmm.chapters.planetary.pictures import (
     draw_pair,
 )
 from graphic_tmm.chapters.planetary.rates import Rates, VelocityPicture, draw_picture, draw_rates
-from graphic_tmm.chapters.planetary.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Train
+from graphic_tmm.chapters.planetary.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Scheme, Train
 from graphic_tmm.chapters.planetary.tooth_search import choose
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
@@ -41,9 +39,11 @@ PICTURE, BELOW = 62.0, 48.0
 CLEAR = 45.0
 """The least way from the scheme to the picture: the shaft's bearing stands there, mm."""
 HOLLOW = 20.0
-"""Further to the right the hollow shaft of a ring that turns reaches, mm."""
+"""Further out the hollow shaft of a ring that turns reaches, mm."""
 SHAFT = 42.0
 """From the arm, or the last row, to a wheel on the driven shaft, whose bearing stands between, mm."""
+IDLE = 21.0
+"""Left of the first row stands the arm of a carrier that runs idle, mm."""
 AROUND = 40.0
 """Room beside such a wheel for the shaft of the one that it drives, mm."""
 
@@ -91,24 +91,29 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
     Where the fixed wheel has external teeth the arm stands between the rows: its shaft goes through that wheel.
     A pair behind the train stands on the carrier's shaft, to the right, or on that of wheel 1, to the left.
     """
-    size, outside = drawn.size, drawn.train.scheme.second > 0
-    first = _reach(draft, drawn) + BESIDE * size
+    size, scheme = drawn.size, drawn.train.scheme
+    outside, idle = scheme.second > 0 and scheme.rows > 1, "H" not in scheme.members
+    first = _reach(draft, drawn) + BESIDE * size + (IDLE if idle else 0.0)
+    if idle and drawn.motion.fixed != "3":
+        first += HOLLOW
     if drawn.pair is not None and drawn.motion.driven == "1":
         draft.given[drawn.pair.station] = first
         first += SHAFT
-    last = first + ROW * size * (drawn.train.scheme.rows - 1)
+    last = first + ROW * size * (scheme.rows - 1)
     arm = last + size * (-ROW / 2.0 if outside else ARM)
+    if idle:
+        arm = first - size * ARM
     draft.given |= {stations["I"]: first, stations["H"]: arm}
     if "II" in stations:
         draft.given[stations["II"]] = last
     marks = tuple(drawn.picture.ends.values())
     tips = execute(draft.board.construction(), draft.given, marks)
     left = min(float(tips[mark][0, 0].real) for mark in marks)
-    turns = not outside and drawn.motion.fixed != drawn.motion.last
+    turns = not outside and not idle and drawn.motion.fixed != drawn.motion.last
     beside = max(PICTURE * size, CLEAR) + (HOLLOW if turns else 0.0)
     zero = last + size * ARM + beside + max(0.0, -left)
-    if drawn.pair is not None and drawn.motion.driven == "H":
-        station = max(last, arm) + SHAFT
+    if drawn.pair is not None and drawn.motion.driven != "1":
+        station = max(last, arm) + SHAFT + (HOLLOW if turns else 0.0)
         draft.given[drawn.pair.station] = station
         ends = tuple(drawn.rates.ends.values())
         rays = execute(draft.board.construction(), draft.given, ends)
@@ -126,11 +131,15 @@ def _sizes(draft: Draft, marks: Iterable[Mark]) -> list[float]:
 
 def _reach(draft: Draft, drawn: Drawn) -> float:
     """Return the radius about the main axis that the pitch circles take, mm."""
-    end, scheme = drawn.end, drawn.train.scheme
-    central = [end.lengths[wheel] for wheel in ("1", scheme.wheels[-1])]
-    rims = [end.lengths[wheel] for wheel in scheme.wheels[1:-1]]
-    axes, *others = _sizes(draft, (end.lengths["H"], *central, *rims))
-    return float(np.max([*others[:2], axes + max(others[2:])]))
+    names = [*drawn.train.scheme.wheels, "H"]
+    sizes = _sizes(draft, (drawn.end.lengths[name] for name in names))
+    return reach_of(drawn.train.scheme, dict(zip(names, sizes, strict=True)))
+
+
+def reach_of(scheme: Scheme, radii: Mapping[str, float]) -> float:
+    """Return the radius about the main axis that wheels take; ``radii``: by wheel, that of the axes as "H"."""
+    rims = max(radii[rim] for rim in scheme.rims)
+    return max(radii["H"] + rims, *(radii[mesh.wheel] for mesh in scheme.meshes))
 
 
 @dataclass(frozen=True)
@@ -188,16 +197,16 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
     axial = draw_axial_view(draft, train, end)
     pair = draw_pair(draft, order, train, sizes, end)
     motion = motion_of(order)
-    picture = draw_picture(draft, motion, end, sizes)
+    picture = draw_picture(draft, motion, train.scheme, end, sizes)
     rates = draw_rates(draft, motion, train, end, sizes, picture)
-    found = "ratio" if motion.fixed else "omega"
+    found = "ratio" if sizes.ratio is not None else "omega"
     results = {f"planetary_z{wheel}": mark for wheel, mark in sizes.teeth.items()}
     results |= {
         "planetary_satellites": sizes.satellites,
         f"planetary_{found}": rates.due,
         f"planetary_{found}_drawn": rates.drawn,
         (
-            "planetary_difference" if motion.fixed else "planetary_omega_difference"
+            "planetary_difference" if sizes.ratio is not None else "planetary_omega_difference"
         ): rates.difference,
     }
     if pair is not None:

@@ -28,7 +28,7 @@ from graphic_tmm.chapters.planetary.dimensions import Dimensions, draw_held
 from graphic_tmm.chapters.planetary.formulas import miss_of_ratio, ratio_of_segments
 from graphic_tmm.chapters.planetary.motion import Motion
 from graphic_tmm.chapters.planetary.pictures import EndView
-from graphic_tmm.chapters.planetary.task import Train
+from graphic_tmm.chapters.planetary.task import Scheme, Train
 
 VELOCITIES = "planetary-velocities"
 RATES = "planetary-rates"
@@ -40,15 +40,15 @@ STANDS = "0"
 class VelocityPicture:
     """The picture of linear velocities.
 
-    ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it; ``ends``:
-    those of velocities, by the point; ``lines``: of the bodies that move, satellites as "2"; ``readings``: the
-    velocities by point, laid off and the last one measured (Length); ``speeds`` the same in m/s; ``omegas``:
-    what is given, 1/s, by the member.
+    ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it;
+    ``ends``: those of velocities, by the point; ``lines``: of the bodies that move, satellites as "2";
+    ``readings``: the velocities by point, laid off and the others measured (Length); ``speeds`` the same in
+    m/s; ``omegas``: what is given, 1/s, by the member.
     """
 
     mu: Mark
     place: Mark
-    zeros: tuple[Mark, Mark, Mark, Mark]
+    zeros: Mapping[str, Mark]
     ends: Mapping[str, Mark]
     lines: Mapping[str, Mark]
     readings: Mapping[str, Mark]
@@ -79,7 +79,9 @@ class Rates:
     difference: Mark
 
 
-def draw_picture(draft: Draft, motion: Motion, end: EndView, sizes: Dimensions) -> VelocityPicture:
+def draw_picture(
+    draft: Draft, motion: Motion, scheme: Scheme, end: EndView, sizes: Dimensions
+) -> VelocityPicture:
     """Draw the picture from two points of the satellite that are known, of A, its axis B and C."""
     draft.open(VELOCITIES)
     mu = draft.scale("μ_v", "(m/s)/mm")
@@ -87,11 +89,12 @@ def draw_picture(draft: Draft, motion: Motion, end: EndView, sizes: Dimensions) 
     place = draft.ask(Length, "x_v", "mm")
     origin = draft.draw(lay_off, "O", end.axis, place, why=why.ZERO)
     zero = draft.draw(square, "(0)", origin, end.axis, sense=1, why=why.ZERO)
-    pairs = zip(end.points, end.levels, strict=True)
-    a, b, c = (draft.draw(meet, point.letter, zero, level, why=why.ZERO) for point, level in pairs)
-    feet, levels = {"A": a, "B": b, "C": c}, end.levels._asdict()
-    points = {"1": "A", "H": "B", motion.last: "C"}
-    arms = {"A": sizes.radii["1"], "B": sizes.axes, "C": sizes.radii[motion.last]}
+    feet = {
+        letter: draft.draw(meet, letter, zero, level, why=why.ZERO)
+        for letter, level in end.levels.items()
+    }
+    points = {member: letter for letter, member in scheme.spots.items()}
+    arms = {at: sizes.radii.get(member, sizes.axes) for member, at in points.items()}
     tips, readings, speeds, omegas = (
         dict[str, Mark](),
         dict[str, Mark](),
@@ -104,35 +107,42 @@ def draw_picture(draft: Draft, motion: Motion, end: EndView, sizes: Dimensions) 
         speeds[at] = draft.draw(product, f"v_{at}", omegas[member], arms[at], unit="m/s")
         readings[at] = draft.draw(to_board, f"{at}{at.lower()}", speeds[at])
         along = draft.draw(
-            parallel, f"({at}{at.lower()})", feet[at], levels[at], sense=1, why=why.KNOWN_VELOCITY
+            parallel,
+            f"({at}{at.lower()})",
+            feet[at],
+            end.levels[at],
+            sense=1,
+            why=why.KNOWN_VELOCITY,
         )
         tips[at] = draft.draw(lay_off, at.lower(), along, readings[at], why=why.KNOWN_VELOCITY)
     known = [feet[points[motion.fixed]], *tips.values()] if motion.fixed else [*tips.values()]
     letter = "".join(mark.letter for mark in known)
-    reason = why.SATELLITE_LINE if motion.fixed == motion.last else why.SATELLITE_OF_TWO
+    reason = why.SATELLITE_LINE if points.get(motion.fixed) == "C" else why.SATELLITE_OF_TWO
     satellite = draft.draw(join, f"({letter})", *known, why=reason)
-    sought = points[motion.driven]
-    tips[sought] = draft.draw(
-        meet, sought.lower(), satellite, levels[sought], why=why.SOUGHT_VELOCITY
+    sought = sorted(
+        (
+            at
+            for at, member in scheme.spots.items()
+            if member not in (motion.fixed, *motion.driving)
+        ),
+        key=lambda at: scheme.spots[at] != motion.driven,
     )
+    for at in sought:
+        tips[at] = draft.draw(meet, at.lower(), satellite, end.levels[at], why=why.SOUGHT_VELOCITY)
     lines = {}
-    for body in ("1", "2", motion.last, "H"):
-        if body == "2":
+    for body in sorted([*points, scheme.rims[0]], key=lambda body: (body == "H", body)):
+        if body == scheme.rims[0]:
             lines[body] = satellite
         elif body != motion.fixed:
             tip = tips[points[body]]
             lines[body] = draft.draw(join, f"(O{tip.letter})", origin, tip, why=why.BODY_LINE)
-    readings[sought] = draft.draw(
-        measure_along,
-        f"{sought}{sought.lower()}",
-        feet[sought],
-        tips[sought],
-        end.axis,
-        why=why.VELOCITY_READ,
-    )
-    speeds[sought] = draft.draw(in_si, f"v_{sought}", readings[sought], unit="m/s")
-    ends = {point: tips[point] for point in "ABC" if point in tips}
-    return VelocityPicture(mu, place, (origin, a, b, c), ends, lines, readings, speeds, omegas)
+    for at in sought:
+        readings[at] = draft.draw(
+            measure_along, f"{at}{at.lower()}", feet[at], tips[at], end.axis, why=why.VELOCITY_READ
+        )
+        speeds[at] = draft.draw(in_si, f"v_{at}", readings[at], unit="m/s")
+    ends = {point: tips[point] for point in points.values() if point in tips}
+    return VelocityPicture(mu, place, {"O": origin, **feet}, ends, lines, readings, speeds, omegas)
 
 
 def draw_rates(
@@ -149,7 +159,7 @@ def draw_rates(
     depth = draft.ask(Length, "y_ω", "mm")
     mu = draft.draw(scale_of_derivative, "μ_ω", picture.mu, draft.mu_l, distance, unit="(1/s)/mm")
     fixed = motion.fixed or STANDS
-    down = draft.draw(square, "(Oy)", picture.zeros[0], end.axis, sense=-1, why=why.RATES_LINE)
+    down = draft.draw(square, "(Oy)", picture.zeros["O"], end.axis, sense=-1, why=why.RATES_LINE)
     foot = draft.draw(lay_off, fixed, down, depth, why=why.RATES_LINE)
     line = draft.draw(parallel, "(ω)", foot, end.axis, sense=1, why=why.RATES_LINE)
     below = draft.draw(square, f"({fixed}P)", foot, line, sense=-1, why=why.RATES_POLE)
@@ -170,10 +180,36 @@ def draw_rates(
         due = sizes.ratio
         difference = draft.draw(miss_of_ratio, "ΔU", drawn, due, unit="%", why=why.COMPARED)
     else:
-        held = draw_held(draft, train.scheme, sizes.teeth, f"U_{{1{motion.last}}}^{{H}}")
-        op = {"1": f.rate_of_first, "H": f.rate_of_carrier}.get(driven, f.rate_of_last)
-        given = (picture.omegas[name] for name in ("1", motion.last, "H") if name != driven)
-        due = draft.draw(op, f"ω′_{driven}", held, *given, unit="1/s")
+        due = _by_willis(draft, motion, train.scheme, sizes.teeth, picture.omegas)
         drawn = values[driven]
         difference = draft.draw(miss_of_ratio, "Δω", drawn, due, unit="%", why=why.COMPARED)
     return Rates(mu, depth, distance, pole, foot, ends, segments, values, due, drawn, difference)
+
+
+def _by_willis(
+    draft: Draft,
+    motion: Motion,
+    scheme: Scheme,
+    z: Mapping[str, Mark],
+    omegas: Mapping[str, Mark],
+) -> Mark:
+    """Calculate the angular velocity of what is driven from two that are given."""
+    driven, (first, *others) = motion.driven, scheme.meshes
+    letter = f"ω′_{driven}"
+    given = dict(omegas)
+    if not others:
+        if motion.fixed:
+            given[motion.fixed] = draft.take(Number, f"ω_{motion.fixed}", 0.0, "1/s")
+        op = f.mesh_outside if first.sense > 0 else f.mesh_inside
+        held = draft.draw(op, f"U_{{{driven}1}}^{{H}}", z["1"], z[driven])
+        return draft.draw(f.rate_of_first, letter, held, given["1"], given["H"], unit="1/s")
+    if "H" not in scheme.members:
+        one, other = given
+        held = draw_held(draft, scheme, z, one, other)
+        carrier = draft.draw(f.rate_of_carrier, "ω′_H", held, *given.values(), unit="1/s")
+        held = draw_held(draft, scheme, z, driven, other)
+        return draft.draw(f.rate_of_first, letter, held, given[other], carrier, unit="1/s")
+    held = draw_held(draft, scheme, z, "1", motion.last)
+    op = {"1": f.rate_of_first, "H": f.rate_of_carrier}.get(driven, f.rate_of_last)
+    known = (given[name] for name in ("1", motion.last, "H") if name != driven)
+    return draft.draw(op, letter, held, *known, unit="1/s")

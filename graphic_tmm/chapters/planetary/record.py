@@ -8,7 +8,6 @@ from typing import NamedTuple
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
-from graphic_tmm.chapters.planetary.dimensions import rings_of
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary, record
 from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.torques import draw_torques
@@ -72,11 +71,10 @@ def _teeth_for_ratio(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark |
 def _stopped(bench: Bench, made: Planetary) -> tuple[Mark, ...]:
     """Calculate the ratio of each mesh with the carrier stopped: negative where both wheels are outside."""
     teeth, scheme = made.sizes.teeth, made.train.scheme
-    wheels, inside = scheme.wheels, rings_of(scheme)
-    meshes = ((wheels[0], wheels[1]), (wheels[-2], wheels[-1]))
     found = []
-    for driving, driven in meshes:
-        op = t.mesh_inside if {driving, driven} in [set(one) for one in inside] else t.mesh_outside
+    for k, mesh in enumerate(scheme.meshes):
+        driving, driven = (mesh.rim, mesh.wheel) if k else (mesh.wheel, mesh.rim)
+        op = t.mesh_outside if mesh.sense > 0 else t.mesh_inside
         letter = f"U_{{{driving}{driven}}}^{{H}}"
         found.append(bench.draft.draw(op, letter, teeth[driven], teeth[driving]))
     return tuple(found)

@@ -17,7 +17,7 @@ def scheme_of(order: PlanetaryTask) -> Scheme:
     Raises
     ------
     TaskError
-        If the scheme is not one of the four, or anything asked for is no quantity of a train.
+        If the scheme is none, or anything asked for is no quantity of a train.
     """
     scheme = SCHEMES.get(order.scheme)
     if scheme is None:
@@ -26,6 +26,7 @@ def scheme_of(order: PlanetaryTask) -> Scheme:
         raise TaskError("planetary", "scheme", says)
     _refuse_sizes(order, scheme)
     _refuse_counts(order, scheme)
+    _refuse_shafts(order, scheme)
     _refuse_ratio(order)
     return scheme
 
@@ -97,6 +98,27 @@ def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
             "from {least} to {most} there is no tooth number", least=limits.least, most=limits.most
         )
         raise refused("least", says)
+
+
+def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
+    """Refuse what needs a shaft that the scheme has not, or is sought by none."""
+    single = len(scheme.meshes) == 1
+    if order.ratio is not None and (single or "H" not in scheme.members):
+        says = said(
+            'teeth of scheme "{name}" are given, not sought: leave ratio out', name=scheme.name
+        )
+        raise refused("ratio", says)
+    if single and order.moment is not None:
+        says = said("the satellite has no shaft on the axis to take a torque: leave moment out")
+        raise refused("moment", says)
+    if single and order.behind:
+        says = said("the satellite has no shaft on the axis for a pair: leave behind out")
+        raise refused("behind", says)
+    if order.behind and "H" not in scheme.members and motion_of(order).driven == "3":
+        says = said(
+            "ring 3 has no shaft for a pair behind it: leave behind out, or let 5 be driven"
+        )
+        raise refused("behind", says)
 
 
 def _refuse_ratio(order: PlanetaryTask) -> None:

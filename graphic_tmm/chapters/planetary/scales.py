@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary
+from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary, reach_of
 from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, value_of
@@ -45,11 +45,8 @@ def factors(drawn: Drawn) -> Iterator[ScaleFactor]:
 
 def _reach(drawn: Drawn, train: Planetary) -> float:
     """Return the radius about the main axis that the pitch circles take, mm."""
-    lengths = train.end.lengths
-    found = {wheel: abs(drawn.value(mark)) for wheel, mark in lengths.items()}
-    wheels = train.train.scheme.wheels
-    rims = max(found[wheel] for wheel in wheels[1:-1])
-    return max(found["1"], found[wheels[-1]], found["H"] + rims)
+    radii = {name: abs(drawn.value(mark)) for name, mark in train.end.lengths.items()}
+    return reach_of(train.train.scheme, radii)
 
 
 CHOICE = Choice(factors)

@@ -83,7 +83,8 @@ def condition_table(
 ) -> Drawing:
     """Return the table of conditions, each with its formula and its numbers."""
     words, log, size = WORDS[language], _Log(construction, reading, language), heights.number
-    found = [(words[c.name], text) for c in made.sizes.conditions for text in log.condition(c)]
+    texts = [(words[c.name], text) for c in made.sizes.conditions for text in log.condition(c)]
+    found = list(dict.fromkeys(texts))
 
     def within_lines(most: float) -> Drawing:
         rows = [
@@ -114,7 +115,7 @@ def rate_table(
 ) -> Drawing:
     """Return the table of segments and angular velocities, 1/s and rpm."""
     words, log, rates = WORDS[language], _Log(construction, reading, language), made.rates
-    block = ", ".join(made.train.scheme.wheels[1:-1])
+    block = ", ".join(made.train.scheme.rims)
     lengths = [np.array([log.value(segment)]) for segment in rates.segments.values()]
     omegas = [np.array([log.value(rates.values[body])]) for body in rates.segments]
     minute = [turns_a_minute.run(omega) for omega in omegas]
@@ -152,10 +153,16 @@ def ratio_lines(
     construction: Construction, reading: Reading, made: Planetary, language: str
 ) -> tuple[str, ...]:
     """Return, as mark-up, the ratio by Willis, the ratio measured, and how far they differ."""
-    due = construction.step(made.rates.due)
-    used = [construction.step(mark) for mark in (due.uses if due is not None else ())]
-    willis = [step.it for step in used if step is not None and step.op.formula]
-    marks = (*willis, made.rates.due, made.rates.drawn, made.rates.difference)
+
+    def leads_to(mark: Mark) -> Iterator[Mark]:
+        """What it is calculated from, and itself."""
+        step = construction.step(mark)
+        if step is not None and step.op.formula:
+            for used in step.uses:
+                yield from leads_to(used)
+            yield mark
+
+    marks = (*leads_to(made.rates.due), made.rates.drawn, made.rates.difference)
     return calculated_lines(construction, reading, marks, language)
 
 

@@ -1,4 +1,4 @@
-"""What is asked of a planetary train 2K–H: its scheme, its ratio or its tooth numbers, limits (SI)."""
+"""What is asked of a planetary train: its scheme, its ratio or its tooth numbers, limits (SI)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
@@ -22,42 +22,105 @@ if TYPE_CHECKING:
 PLANETARY_TRAIN = "planetary"
 
 
-@dataclass(frozen=True)
-class Scheme:
-    """One of the four usual schemes: its name, the senses of its two meshes, its rows.
+class Mesh(NamedTuple):
+    """A central wheel and the rim of the satellites that it touches.
 
-    ``first``, ``second``: +1 where the wheels of the mesh both have external teeth, −1 where the central wheel
-    is a ring.
+    ``sense``: +1 where both have external teeth, −1 where the central wheel is a ring.
     """
 
+    wheel: str
+    rim: str
+    sense: int
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """One of the usual schemes: its name, and which central wheels touch which rims of the satellites."""
+
     name: str
-    first: int
-    second: int
-    rows: int
+    meshes: tuple[Mesh, ...]
 
     @property
     def wheels(self) -> tuple[str, ...]:
-        """The wheels by their numbers; the last one is fixed."""
-        return ("1", "2", "3", "4")[: self.rows + 2]
+        """The wheels by their numbers."""
+        return tuple(sorted({name for mesh in self.meshes for name in mesh[:2]}))
+
+    @property
+    def rims(self) -> tuple[str, ...]:
+        """The rims of the satellites, row by row."""
+        return tuple(dict.fromkeys(mesh.rim for mesh in self.meshes))
+
+    @property
+    def rows(self) -> int:
+        """How many rows of wheels stand beside each other."""
+        return len(self.rims)
+
+    @property
+    def first(self) -> int:
+        """The sense of the first mesh."""
+        return self.meshes[0].sense
+
+    @property
+    def second(self) -> int:
+        """The sense of the last mesh."""
+        return self.meshes[-1].sense
 
     @property
     def opposed(self) -> bool:
-        """Whether, with the carrier held, the central wheels turn in opposite senses."""
+        """Whether, with the carrier held, the first and the last central wheel turn in opposite senses."""
         return self.first * self.second < 0
+
+    @property
+    def spots(self) -> dict[str, str]:
+        """The points of the line of centres, by letter, each with the member that moves there."""
+        first, *others = (mesh.wheel for mesh in self.meshes)
+        return dict(zip("ABCD", (first, "H", *others), strict=False))
+
+    @property
+    def members(self) -> tuple[str, ...]:
+        """What has a shaft on the main axis; where three central wheels have one the carrier runs idle."""
+        central = tuple(mesh.wheel for mesh in self.meshes)
+        return central if len(central) > 2 else (*central, "H")
+
+    @property
+    def usual(self) -> tuple[str, str]:
+        """Which member drives and which stands, if nothing is said."""
+        return ("H", "1") if len(self.meshes) < 2 else ("1", self.meshes[1].wheel)
+
+    def driving(self, fixed: str | None) -> str:
+        """Return which member drives, if nothing is said: of two the one that does not stand."""
+        return "1" if fixed == "H" else self.usual[0]
+
+    @property
+    def pairs(self) -> tuple[Scheme, ...]:
+        """The trains of two meshes, each with the first, that it is made of."""
+        first, *others = self.meshes
+        return tuple(Scheme(self.name, (first, one)) for one in others) or (self,)
+
+    def mesh(self, wheel: str) -> Mesh:
+        """Return the (first) mesh of a wheel, central or a rim."""
+        return next(mesh for mesh in self.meshes if wheel in mesh[:2])
+
+
+def _scheme(name: str, *meshes: str) -> Scheme:
+    return Scheme(name, tuple(Mesh(m[0], m[2], 1 if m[1] == "+" else -1) for m in meshes))
 
 
 SCHEMES: Mapping[str, Scheme] = MappingProxyType(
     {
         scheme.name: scheme
         for scheme in (
-            Scheme("ring", 1, -1, 1),
-            Scheme("external-internal", 1, -1, 2),
-            Scheme("external-external", 1, 1, 2),
-            Scheme("internal-internal", -1, -1, 2),
+            _scheme("ring", "1+2", "3−2"),
+            _scheme("external-internal", "1+2", "4−3"),
+            _scheme("external-external", "1+2", "4+3"),
+            _scheme("internal-internal", "1−2", "4−3"),
+            _scheme("external", "1+2"),
+            _scheme("internal", "1−2"),
+            _scheme("3K", "1+2", "3−2", "5−4"),
         )
     }
 )
-"""The schemes by name."""
+"""The schemes by name; of a mesh: central wheel, + or − as in the distance of axes, rim of the satellites."""
 
 
 @dataclass(frozen=True)
@@ -153,7 +216,7 @@ def _satellites(value: object, names: Names) -> tuple[int, ...]:
 
 _COUNT = v.number(TEETH)
 _SIGNED = v.quantity("angular speed")
-_MEMBER = v.choice("1", "3", "4", "H")
+_MEMBER = v.choice("1", "3", "4", "5", "H")
 _SPEEDS = Kind(_speeds, either(v.SPEED), unit="angular speed")
 _DRIVERS = Kind(_drivers, either(_MEMBER))
 _ASKED = Kind(
@@ -178,13 +241,13 @@ _SHAFTS = Kind(
 
 @dataclass(frozen=True)
 class PlanetaryTask:
-    """A planetary train 2K–H: tooth numbers wanted, or checked.
+    """A planetary train: tooth numbers wanted, or checked.
 
-    ``scheme``: "ring", "external-internal", "external-external" or "internal-internal". ``module``: of the
+    ``scheme``: one of `SCHEMES`: 2K–H, two wheels on an arm, or 3K. ``module``: of the
     first row, m; ``module_2`` of the second, that of the first if None. ``speed``: angular velocity of the
     driving shaft, rad/s, with its sign, or of both that drive. ``driving``: the member that drives, a central
     wheel or "H", or two; "1" with two speeds is both central wheels. ``fixed``: the one
-    that stands, None for the last wheel (see `motion_of`).
+    that stands, None for the usual one (see `Scheme.usual`, `motion_of`).
     ``ratio``: the ratio wanted, driving over driven angular velocity, with its sign;
     ``tolerance``: by what share of itself it may be missed. ``teeth``: a tooth number for every wheel of the
     scheme, None for one that is to be found; () for all of them. ``satellites``: the numbers of satellites
@@ -203,11 +266,15 @@ class PlanetaryTask:
     speed: float | tuple[float, ...] = key(
         _SPEEDS, "angular velocity of the driving shaft, of both of a differential", "2888 rpm"
     )
-    driving: str | tuple[str, ...] = key(
-        _DRIVERS,
-        "which drives, a central wheel or the carrier H, or both of a differential",
+    driving: str | tuple[str, ...] = combined_key(
+        lambda said: said.driving or SCHEMES[said.scheme].driving(said.fixed),
         "1",
-        "1",
+        driving=key(
+            _DRIVERS,
+            "which drives, a central wheel or the carrier H, or both of a differential",
+            "1",
+            None,
+        ),
     )
     fixed: str | None = key(
         _MEMBER, "which stands still, a central wheel or the carrier H", "3", None
@@ -219,8 +286,15 @@ class PlanetaryTask:
     teeth: tuple[int | None, ...] = key(
         _ASKED, 'tooth numbers, "?" for one to be found', [25, "?", "?"], ()
     )
-    satellites: tuple[int, ...] = key(
-        _SHAFTS, "number of satellites, or several to choose from", 3, (3,)
+    satellites: tuple[int, ...] = combined_key(
+        lambda said: said.satellites or ((3,) if len(SCHEMES[said.scheme].meshes) > 1 else (1,)),
+        (3,),
+        satellites=key(
+            _SHAFTS,
+            "number of satellites, or several to choose from; if left out 3, on an arm 1",
+            3,
+            None,
+        ),
     )
     module_2: float | None = key(v.POSITIVE_LENGTH, "the module of the second row", "6 mm", None)
     alpha: float = key(v.RACK, "pressure angle", "20 deg", 20.0)

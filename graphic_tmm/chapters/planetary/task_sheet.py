@@ -55,8 +55,11 @@ RADII: Mapping[str, tuple[float, ...]] = {
     "external-internal": (10.0, 13.0, 8.0),
     "external-external": (10.0, 15.0, 11.0),
     "internal-internal": (33.0, 14.0, 9.0),
+    "external": (13.0, 16.0),
+    "internal": (34.0, 15.0),
+    "3K": (10.0, 13.0, 9.0),
 }
-"""Radii of the wheels of a scheme but for the fixed one, mm: signs, all the same whatever the teeth."""
+"""Radii of wheel 1 and of the rims of a scheme, mm: signs, all the same whatever the teeth."""
 BEHIND = (7.0, 11.0)
 """Radii of the pair behind the train, mm."""
 SMALLEST = 0.7
@@ -93,16 +96,19 @@ def _placed(order: PlanetaryTask, share: float) -> Scheme2KH:
     kind: Scheme = SCHEMES[order.scheme]
     radii = [share * radius for radius in RADII[kind.name]]
     axis, last = radii[0] + kind.first * radii[1], ROW * (kind.rows - 1)
-    fixed = axis - kind.second * radii[-1]
-    wheels = {"1": _central(0.0, radii[0]), "2": _satellite(0.0, axis, kind.first, radii[1])}
-    if kind.rows == 2:
-        wheels["3"] = _satellite(last, axis, kind.second, radii[2])
-    wheels[kind.wheels[-1]] = _central(last, fixed)
-    arm = last + (-ROW / 2.0 if kind.second > 0 else ARM)
+    rims = dict(zip(kind.rims, zip((0.0, last), radii[1:], strict=False), strict=True))
+    wheels = {}
+    for name, rim, sense in kind.meshes:
+        x, radius = rims[rim]
+        wheels[name] = _central(x, axis - sense * radius)
+        wheels.setdefault(rim, _satellite(x, axis, sense, radius))
+    arm = last + (-ROW / 2.0 if kind.second > 0 and kind.rows > 1 else ARM)
+    if "H" not in kind.members:
+        arm = -ARM
     motion = motion_of(order)
     pair = dict[str, Side]()
     if order.behind:
-        station = max(last, arm) + SHAFT if motion.driven == "H" else -SHAFT
+        station = max(last, arm) + SHAFT if motion.driven != "1" else -SHAFT
         number = len(kind.wheels) + 1
         small, large = (share * radius for radius in BEHIND)
         at = complex(station)
@@ -125,7 +131,7 @@ def _satellite(x: float, axis: float, sense: int, radius: float) -> Side:
 def stated(scene: Scene, language: str) -> Iterator[str]:
     """Say which member stands, or that none does, where it is not the last wheel as usual."""
     order = ASKED.of(scene)
-    if order is not None and (motion := motion_of(order)).fixed != motion.last:
+    if order is not None and (motion := motion_of(order)).fixed != SCHEMES[order.scheme].usual[1]:
         yield _stands(motion, language)
 
 
@@ -148,7 +154,8 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     if order.ratio is not None:
         yield _(_TEETH)
     yield _(_DRAWN)
-    yield _(_PICTURES if motion.fixed else _THIRD)
+    single = len(SCHEMES[order.scheme].meshes) == 1
+    yield _(_PLANET if single else _PICTURES if motion.fixed else _THIRD)
     if order.moment is not None:
         yield _(_TORQUES)
     if order.behind:
@@ -169,12 +176,22 @@ _SCHEMES = {
         "The train has two rows, both meshing internally: ring 1 with rim 2 of the satellites, "
         "their rim 3 with ring 4; carrier H."
     ),
+    "external": said("Satellite 2 rolls on wheel 1 from outside; the arm H carries it."),
+    "internal": said("Satellite 2 rolls in ring 1; the arm H carries it."),
+    "3K": said(
+        "The train has three central wheels: wheel 1 and ring 3 mesh with rim 2 of the satellites, ring 5 with "
+        "their rim 4; carrier H runs idle."
+    ),
 }
 _STANDS = said("Of its coaxial members {member} stands still.")
 _DIFFERENTIAL = said("No member stands still: two of its shafts drive, {driven} is driven.")
 _THIRD = said(
     "The picture of linear velocities and the plan of angular velocities are drawn; the angular velocity of "
     "the driven shaft is found from them and compared with Willis's formula."
+)
+_PLANET = said(
+    "The picture of linear velocities and the plan of angular velocities are drawn; the angular velocity of "
+    "satellite 2 is found from them and compared with Willis's formula."
 )
 _TORQUES = said("The torques on all shafts are found, with the losses in the meshes.")
 _TEETH = said(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
 
@@ -13,10 +13,8 @@ from numpy.typing import NDArray
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.planetary import formulas as f
-from graphic_tmm.chapters.planetary.motion import motion_of
-from graphic_tmm.chapters.planetary.refusals import scheme_of
-from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme, Train, module_ratio
-from graphic_tmm.language.said import said
+from graphic_tmm.chapters.planetary.motion import Motion, motion_of
+from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme
 
 Whole = NDArray[np.int64]
 Truths = NDArray[np.bool_]
@@ -57,8 +55,14 @@ class Calculated(NamedTuple):
 
 def in_two_rows(scheme: Scheme, teeth: Sequence[int]) -> Teeth:
     """Return the tooth numbers of one train in the form of two rows, (1,)."""
-    z = teeth if scheme.rows == 2 else (teeth[0], teeth[1], teeth[1], teeth[2])
-    return Teeth(*(np.array([n], dtype=np.int64) for n in z))
+    z = dict(zip(scheme.wheels, teeth, strict=True))
+    return Teeth(*(np.array([z[wheel]], dtype=np.int64) for wheel in in_places(scheme)))
+
+
+def in_places(scheme: Scheme) -> tuple[str, str, str, str]:
+    """Return the wheels that stand for z1 … z4, of the first mesh and of the last."""
+    first, last = scheme.meshes[0], scheme.meshes[-1]
+    return first.wheel, first.rim, last.rim, last.wheel
 
 
 def of_wheels(scheme: Scheme, z: Teeth) -> Whole:
@@ -66,30 +70,38 @@ def of_wheels(scheme: Scheme, z: Teeth) -> Whole:
     return np.stack(z if scheme.rows == 2 else (z.z1, z.z2, z.z4), axis=-1)
 
 
-def member_rates(scheme: Scheme, z: Teeth, fixed: str) -> dict[str, Whole]:
-    """Return whole numbers, by member, as the angular velocities are to each other while one member stands.
+def held_rates(scheme: Scheme, z: Mapping[str, Any]) -> dict[str, Any]:
+    """Return whole numbers, by body: with the carrier held angular velocities are as they are (Willis).
 
-    With the carrier held those of the central wheels are as u : v (Willis).
+    ``z``: tooth numbers by the wheel; a satellite is called by its first rim.
     """
-    u, v = scheme.first * scheme.second * z.z2 * z.z4, z.z1 * z.z3
-    last = scheme.wheels[-1]
-    if fixed == "H":
-        return {"1": u, last: v}
-    return {last: u - v, "H": u} if fixed == "1" else {"1": v - u, "H": v}
+    whole = math.prod(z[mesh.wheel] for mesh in scheme.meshes)
+    rates = {m.wheel: -m.sense * z[m.rim] * (whole // z[m.wheel]) for m in scheme.meshes}
+    return rates | {"H": 0 * whole, scheme.rims[0]: whole}
 
 
 def ratio(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> NDArray[np.float64]:
     """Return driving over driven angular velocity, (n,); ∞ where the driven shaft stands."""
-    motion = motion_of(order)
-    rates = member_rates(scheme, z, motion.fixed)
-    above, below = rates[motion.first], rates[motion.driven]
+    teeth = dict(zip(in_places(scheme), z, strict=True))
+    return ratio_of(motion_of(order), held_rates(scheme, teeth))
+
+
+def ratio_of(motion: Motion, rates: Mapping[str, Any]) -> NDArray[np.float64]:
+    """Return driving over driven angular velocity of the rates with the carrier held; as `ratio`."""
+    above, below = (
+        np.asarray(rates[name] - rates[motion.fixed]) for name in (motion.first, motion.driven)
+    )
     moves = below != 0
     return np.asarray(np.where(moves, above / np.where(moves, below, 1), np.inf))
 
 
 def within(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Truths:
     """Return whether the ratio is the one wanted, within its tolerance; any that moves if none is wanted."""
-    found = ratio(order, scheme, z)
+    return fits(order, ratio(order, scheme, z))
+
+
+def fits(order: PlanetaryTask, found: NDArray[np.float64]) -> Truths:
+    """Return whether a ratio is the one wanted; as `within`."""
     if order.ratio is None:
         return np.asarray(np.isfinite(found) & (found != 0.0))
     allowed = (order.tolerance + SLACK) * abs(order.ratio)
@@ -188,207 +200,3 @@ def size(order: PlanetaryTask, scheme: Scheme, z: Teeth, q: Fraction) -> NDArray
     fixed = second * (z.z4 + (tip if scheme.second > 0 else root))
     about = z.z1 + scheme.first * z.z2 + satellites
     return np.asarray(np.maximum(np.maximum(centre, fixed), about))
-
-
-CONDITIONS = ("ratio", "coaxial", "neighbours", "assembly", "undercut", "interference")
-"""The names of the conditions, in the order in which they are checked."""
-
-
-class Verdict(NamedTuple):
-    """One condition as checked.
-
-    Attributes
-    ----------
-    condition : str
-        One of `CONDITIONS`.
-    of : str
-        The wheel ("1"), or the mesh ("3-2"), that it speaks of; "" for the whole train.
-    holds : bool
-        Whether it is fulfilled.
-    found : float
-        What was found: the ratio, the number C of the assembly, tooth numbers, lengths in modules of the first
-        row.
-    text : str
-        The condition with its numbers, in words.
-    """
-
-    condition: str
-    of: str
-    holds: bool
-    found: float
-    text: str
-
-    @property
-    def stands(self) -> bool:
-        """Whether a shaft of the train cannot move."""
-        return self.condition == "ratio" and (self.found == 0.0 or not math.isfinite(self.found))
-
-
-def check(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
-    """Return the verdict of every condition on a train; the ratio is one if the order wants it.
-
-    Raises
-    ------
-    StructureError
-        If the order is not sound.
-    """
-    scheme_of(order)
-    scheme, z = train.scheme, in_two_rows(train.scheme, train.teeth)
-    return (
-        *_ratio(order, scheme, z),
-        _coaxial(order, scheme, z),
-        _neighbours(order, train, z),
-        _assembly(train, z),
-        *_undercut(order, scheme, z),
-        *_interference(order, scheme, z),
-    )
-
-
-def _said(fine: Truths) -> bool:
-    return bool(fine[0])
-
-
-def _whole(value: float) -> str:
-    return f"{value:g}"
-
-
-def _wheel(scheme: Scheme, name: str) -> str:
-    """Return the number of a wheel of the scheme, of its name in the form of two rows."""
-    if scheme.rows == 2:
-        return name[1]
-    return {"z1": "1", "z2": "2", "z3": "2", "z4": "3"}[name]
-
-
-def _ratio(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
-    motion = motion_of(order)
-    if not motion.fixed:
-        u, v = member_rates(scheme, z, "H").values()
-        if motion.driven != "H" or u[0] != v[0]:
-            return ()
-        says = said(
-            "ratio: with the carrier held both central wheels turn alike: the train is locked"
-        )
-        return (Verdict("ratio", "", False, math.inf, says),)
-    found, name = float(ratio(order, scheme, z)[0]), f"U_{motion.first}{motion.driven}"
-    holds = _said(within(order, scheme, z))
-    if order.ratio is None:
-        if holds:
-            return ()
-        stands = said("ratio: {name} = {found:g}: a shaft stands", name=name, found=found)
-        return (Verdict("ratio", "", False, found, stands),)
-    miss = 100.0 * (found / order.ratio - 1.0)
-    text = said(
-        "ratio: {name} = {found:.6g} is {miss:+.2g} % from {wanted:g}, {relation} {percent:.3g} %",
-        name=name,
-        found=found,
-        miss=miss,
-        wanted=order.ratio,
-        relation=said("within", context="tolerance")
-        if holds
-        else said("not within", context="tolerance"),
-        percent=100.0 * order.tolerance,
-    )
-    return (Verdict("ratio", "", holds, found, text),)
-
-
-def _coaxial(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Verdict:
-    q = module_ratio(order)
-    (z1,), (z2,), (z3,), (z4,) = z
-    first, second = z1 + scheme.first * z2, float(q) * (z4 + scheme.second * z3)
-    signs = ["+" if sense > 0 else "−" for sense in (scheme.first, scheme.second)]
-    sides = [f"{z1} {signs[0]} {z2}", f"{z4} {signs[1]} {z3}"]
-    if q != 1:
-        sides[1] = f"({sides[1]})·{_whole(float(q))}"
-    holds = _said(coaxial(scheme, z, q))
-    fault = (
-        said(" is another distance of the axes") if first > 0 else said(": no distance of the axes")
-    )
-    text = said(
-        "coaxial: {first} = {distance}, {second} = {other}{fault}",
-        first=sides[0],
-        distance=_whole(first),
-        second=sides[1],
-        other=_whole(second),
-        fault="" if holds else fault,
-    )
-    return Verdict("coaxial", "", holds, float(second), text)
-
-
-def _neighbours(order: PlanetaryTask, train: Train, z: Teeth) -> Verdict:
-    scheme, k, q = train.scheme, train.satellites, module_ratio(order)
-    (z1,), (z2,), _, _ = z
-    holds = _said(neighbours(scheme, z, k, q, order.ha))
-    if k == 1:
-        alone = said("neighbours: a single satellite has none")
-        return Verdict("neighbours", "", holds, math.inf, alone)
-    (axes,), (tips,) = room(scheme, z, k, q, order.ha)
-    sign = "+" if scheme.first > 0 else "−"
-    touch = said(" is not greater than {tips:g}: satellites touch", tips=tips)
-    text = said(
-        "neighbours: {formula} = {axes:.5g}{relation}",
-        formula=f"({z1} {sign} {z2})·sin(180°/{k})",
-        axes=axes,
-        relation=f" > {tips:g}" if holds else touch,
-    )
-    return Verdict("neighbours", "", holds, float(axes), text)
-
-
-def _assembly(train: Train, z: Teeth) -> Verdict:
-    scheme, k = train.scheme, train.satellites
-    number, holds = assembly(scheme, z, k), _said(assembles(scheme, z, k))
-    (found,) = number.results()
-    text = said(
-        "assembly: {formula} = {found:.6g} is {whole}",
-        formula=number.said(),
-        found=found,
-        whole=said("whole", context="assembly") if holds else said("not whole", context="assembly"),
-    )
-    return Verdict("assembly", "", holds, float(found), text)
-
-
-def _undercut(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
-    made = []
-    for name in external(scheme):
-        (count,), wheel = getattr(z, name), _wheel(scheme, name)
-        holds = bool(count >= order.limits.least)
-        text = said(
-            "undercut: {number} = {count} is {relation} {least}",
-            number=f"z{wheel}",
-            count=count,
-            relation=said("not less than", context="teeth")
-            if holds
-            else said("less than", context="teeth"),
-            least=order.limits.least,
-        )
-        made.append(Verdict("undercut", wheel, holds, float(count), text))
-    return tuple(made)
-
-
-def _interference(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
-    made = []
-    for ring, rim in internal(scheme):
-        outer, inner = getattr(z, ring), getattr(z, rim)
-        names = _wheel(scheme, ring), _wheel(scheme, rim)
-        mesh = "-".join(names)
-        between, least = int(outer[0] - inner[0]), order.limits.difference
-        holds = between >= least
-        text = said(
-            "interference: {difference} = {between} is {relation} {least}",
-            difference=f"z{names[0]} − z{names[1]}",
-            between=between,
-            relation=said("not less than", context="teeth")
-            if holds
-            else said("less than", context="teeth"),
-            least=least,
-        )
-        made.append(Verdict("interference", mesh, holds, float(between), text))
-        holds = _said(clear_roots(outer, inner, order.alpha, order.ha))
-        text = said(
-            "interference: {number} = {teeth}: its tips are {where} the roots of {inner} teeth",
-            number=f"z{names[0]}",
-            teeth=outer[0],
-            where=said("clear of", context="tips") if holds else said("in", context="tips"),
-            inner=inner[0],
-        )
-        made.append(Verdict("interference", mesh, holds, float(outer[0]), text))
-    return tuple(made)

@@ -17,7 +17,8 @@ from graphic_tmm.chapters.planetary import tooth_conditions as c
 from graphic_tmm.chapters.planetary.motion import Motion, motion_of
 from graphic_tmm.chapters.planetary.refusals import scheme_of
 from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme, Train, module_ratio
-from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths, Whole, check
+from graphic_tmm.chapters.planetary.tooth_conditions import Teeth, Truths, Whole
+from graphic_tmm.chapters.planetary.tooth_verdicts import check
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping, Sequence
+from itertools import product
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.formula import formula
@@ -12,7 +14,7 @@ from graphic_tmm.chapters.planetary.dimensions import draw_held
 from graphic_tmm.chapters.planetary.motion import Motion
 from graphic_tmm.chapters.planetary.plan import Planetary
 from graphic_tmm.chapters.planetary.task import Train
-from graphic_tmm.chapters.planetary.tooth_conditions import in_two_rows, member_rates
+from graphic_tmm.chapters.planetary.tooth_conditions import held_rates
 from graphic_tmm.language.said import said
 
 TORQUES = "planetary-torques"
@@ -71,6 +73,18 @@ def third_torque(one: Number, other: Number) -> Number:
 
 
 @formula(
+    holds="{other} ≠ 1",
+    fails="the train is locked",
+    why=said(
+        "The carrier has no torque: those on the three wheels balance, and with the carrier held so does the "
+        "power."
+    ),
+)
+def torque_of_driven(driving: Number, one: Number, other: Number) -> Number:
+    """−{driving}·(1 − {one})/(1 − {other})"""
+
+
+@formula(
     holds="{driving}·{omega} ≠ 0",
     fails="no power is put in",
     why=said("What power the driven shaft gives of that which is put in."),
@@ -89,15 +103,17 @@ def draw_torques(
     if order.moment is None:
         return (), {}, None
     draft.open(TORQUES)
+    if "H" not in made.train.scheme.members:
+        return _three_wheels(draft, made, order.moment)
     first, last = motion.first, motion.last
     given = math.copysign(order.moment, motion.driving[first])
     torques = {first: draft.take(Number, f"M_{first}", given, "N·m")}
-    ratio = draw_held(draft, made.train.scheme, made.sizes.teeth, f"U_{{1{last}}}^{{H}}")
+    ratio = draw_held(draft, made.train.scheme, made.sizes.teeth, "1", last)
     lost = [ratio]
     if order.mesh_efficiency < 1.0:
         mesh = draft.take(Number, "η_m", order.mesh_efficiency)
         held = draft.draw(efficiency_held, "η_0", mesh)
-        forward = first_drives(made.train, motion)
+        forward = mesh_flows(made.train, motion)["1"] > 0
         op = ratio_of_torques if forward else ratio_of_torques_back
         ratio = draft.draw(op, "u", ratio, held)
         lost += [held, ratio]
@@ -111,33 +127,72 @@ def draw_torques(
         others = (first, other, "H")
     one, two, third = others
     torques[third] = draft.draw(third_torque, f"M_{third}", torques[one], torques[two], unit="N·m")
+    return tuple(lost), torques, _efficiency(draft, made, torques)
+
+
+def _efficiency(draft: Draft, made: Planetary, torques: Mapping[str, Mark]) -> Mark | None:
+    """Calculate the share of the power handed on; None where two shafts drive."""
+    motion, rates = made.motion, made.rates.values
     if not motion.fixed:
-        return tuple(lost), torques, None
-    rates = made.rates.values
-    share = draft.draw(
-        train_efficiency,
-        "η",
-        torques[motion.driven],
-        rates[motion.driven],
-        torques[first],
-        rates[first],
+        return None
+    marks = (one[name] for name in (motion.driven, motion.first) for one in (torques, rates))
+    return draft.draw(train_efficiency, "η", *marks)
+
+
+def _three_wheels(
+    draft: Draft, made: Planetary, moment: float
+) -> tuple[tuple[Mark, ...], dict[str, Mark], Mark | None]:
+    """Calculate the torques on three central wheels: they balance, and so does power with the carrier held."""
+    motion, scheme, order = made.motion, made.train.scheme, made.order
+    first, driven = motion.first, motion.driven
+    (third,) = {*scheme.members} - {first, driven}
+    flows = mesh_flows(made.train, motion, order.mesh_efficiency)
+    given = math.copysign(moment, motion.driving[first])
+    torques, lost = {first: draft.take(Number, f"M_{first}", given, "N·m")}, list[Mark]()
+    eta = None
+    if order.mesh_efficiency < 1.0:
+        mesh = draft.take(Number, "η_m", order.mesh_efficiency)
+        eta = draft.draw(efficiency_held, "η_0", mesh)
+        lost.append(eta)
+    ratios = []
+    for wheel in (first, driven):
+        ratio = draw_held(draft, scheme, made.sizes.teeth, wheel, third)
+        lost.append(ratio)
+        if eta is not None and flows[wheel] != flows[third]:
+            op = ratio_of_torques if flows[wheel] > 0 else ratio_of_torques_back
+            ratio = draft.draw(op, f"u_{{{wheel}{third}}}", ratio, eta)
+            lost.append(ratio)
+        ratios.append(ratio)
+    name = f"M_{driven}"
+    torques[driven] = draft.draw(torque_of_driven, name, torques[first], *ratios, unit="N·m")
+    torques[third] = draft.draw(
+        third_torque, f"M_{third}", torques[first], torques[driven], unit="N·m"
     )
-    return tuple(lost), torques, share
+    return tuple(lost), torques, _efficiency(draft, made, torques)
 
 
-def first_drives(train: Train, motion: Motion) -> bool:
-    """Return whether wheel 1 drives while the carrier is held: power flows by it from wheel 1 to the last one.
+def mesh_flows(train: Train, motion: Motion, eta: float = 1.0) -> dict[str, int]:
+    """Return how power flows through the meshes, the carrier held: +1 by member where it drives the satellite.
 
-    The signs of its torque and of its angular velocity seen from the carrier are alike; torques without losses.
+    The torques balance, and so does the power that the satellite gets: Σ M_i·κ_i·η^±1 = 0, κ_i the angular
+    velocity of a member in that motion. Of all flows the one that keeps itself up with its losses counts; that
+    without losses where none does.
     """
-    z = in_two_rows(train.scheme, train.teeth)
-    u, v = (int(rate[0]) for rate in member_rates(train.scheme, z, "H").values())
+    names = train.scheme.members
+    rates = held_rates(train.scheme, dict(zip(train.scheme.wheels, train.teeth, strict=True)))
     known = dict(motion.driving) | ({motion.fixed: 0.0} if motion.fixed else {})
-    if "H" not in known:
-        seen = known["1"] - (v * known["1"] - u * known[motion.last]) / (v - u)
-    elif "1" in known:
-        seen = known["1"] - known["H"]
-    else:
-        seen = (known[motion.last] - known["H"]) * u / v
-    share = {"1": v, motion.last: -u, "H": u - v}[motion.first]
-    return motion.driving[motion.first] * share * v * seen >= 0.0
+    (one, at_one), (other, at_other) = known.items()
+    spin = (at_one - at_other) / (rates[one] - rates[other])
+    due = [math.copysign(1.0, spin * rates[name]) for name in names]
+
+    def flow(lost: Sequence[float]) -> tuple[float, ...]:
+        a, b, c = (rates[name] * eta**sign for name, sign in zip(names, lost, strict=True))
+        torques = dict(zip(names, (b - c, c - a, a - b), strict=True))
+        turned = math.copysign(1.0, torques[motion.first] * motion.driving[motion.first])
+        pairs = zip(torques.values(), due, strict=True)
+        return tuple(math.copysign(1.0, turned * torque * sign) for torque, sign in pairs)
+
+    ideal = flow((0.0, 0.0, 0.0))
+    ways = (ideal, *product((1.0, -1.0), repeat=3))
+    kept = next((way for way in ways if flow(way) == way), ideal) if eta < 1.0 else ideal
+    return dict(zip(names, map(int, kept), strict=True))

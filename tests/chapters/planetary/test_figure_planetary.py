@@ -57,6 +57,19 @@ def test_steps_of_random_trains_are_their_ink(scheme: str) -> None:
         assert_laws(*drawn(replace(order, behind=pair)))
 
 
+@pytest.mark.parametrize(
+    "order",
+    [
+        PlanetaryTask("external", 0.005, 10.0, "H", teeth=(36, 45), satellites=(1,)),
+        PlanetaryTask("internal", 0.005, (10.0, -4.0), ("1", "H"), teeth=(60, 24)),
+        PlanetaryTask("3K", 0.005, 10.0, teeth=(24, 30, 84, 18, 72), behind=(15, 25)),
+        PlanetaryTask("3K", 0.005, 10.0, "3", "5", teeth=(24, 30, 84, 18, 72)),
+    ],
+)
+def test_steps_of_two_wheels_and_of_three_central_ones_are_their_ink(order: PlanetaryTask) -> None:
+    assert_laws(*drawn(order))
+
+
 def test_the_train_is_drawn_step_by_step() -> None:
     log, view = drawn(PlanetaryTask("ring", 0.008, 302.4, teeth=(25, 32, 89), behind=(15, 25)))
     made = pictures(log, view)

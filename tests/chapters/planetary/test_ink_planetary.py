@@ -115,7 +115,7 @@ def test_rays_are_parallel_to_the_lines_of_the_picture(name: str) -> None:
     bodies = lines(view, "main")
     rays = [(a, b) for a, b in lines(view, "medium") if abs(a - pole) < 1e-9]
     assert len(rays) == 3
-    place = complex(reading[made.picture.zeros[0]][0, 0]).real
+    place = complex(reading[made.picture.zeros["O"]][0, 0]).real
     tips = [complex(reading[mark][0, 0]).real for mark in made.picture.ends.values()]
     for a, b in rays:
         way = (b - a) / abs(b - a)
@@ -131,7 +131,7 @@ def test_rays_are_parallel_to_the_lines_of_the_picture(name: str) -> None:
 def test_the_line_of_the_satellites_goes_through_all_three_of_its_points(name: str) -> None:
     made, _, reading, view = inked(name)
     spots = [
-        complex(reading[m][0, 0]) for m in (*made.picture.ends.values(), made.picture.zeros[3])
+        complex(reading[m][0, 0]) for m in (*made.picture.ends.values(), made.picture.zeros["C"])
     ]
     through = [shapely.LineString([(z.real, z.imag) for z in ends]) for ends in lines(view, "main")]
     assert any(

@@ -20,7 +20,7 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import LENGTHS
 from graphic_tmm.chapters.planetary.plan import Planetary, draw_planetary
 from graphic_tmm.chapters.planetary.task import PlanetaryTask
-from graphic_tmm.chapters.planetary.tooth_conditions import check
+from graphic_tmm.chapters.planetary.tooth_verdicts import check
 from graphic_tmm.errors import StructureError
 
 SPEED = 302.4
@@ -128,7 +128,7 @@ def test_circles_touch_where_they_should(scheme: str) -> None:
         r, s = circles[centre].radius, circles[own].radius
         apart = np.abs(circles[own].centre - circles[centre].centre)
         np.testing.assert_allclose(apart / np.abs(r + sense * s), 1.0, rtol=1e-12)
-    a, b, c = (complex(reading[m][0, 0]) for m in made.end.points)
+    a, b, c = (complex(reading[m][0, 0]) for m in made.end.points.values())
     assert (a.real, b.real, c.real) == (0.0, 0.0, 0.0)
     assert abs(a) == pytest.approx(float(circles["1"].radius[0, 0]))
     assert abs(b - axes[0, 0]) < 1e-12 * abs(b)

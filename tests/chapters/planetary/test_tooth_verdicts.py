@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from support import train_oracle as oracle
 
 from graphic_tmm.chapters.planetary.task import SCHEMES, Limits, PlanetaryTask, Train
-from graphic_tmm.chapters.planetary.tooth_conditions import CONDITIONS, Verdict, check
+from graphic_tmm.chapters.planetary.tooth_verdicts import CONDITIONS, Verdict, check
 
 C7 = PlanetaryTask("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003)
 RING = SCHEMES["ring"]

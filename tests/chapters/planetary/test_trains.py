@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
+import random
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
+from support import train_oracle as oracle
 from support.each import each
+from support.scenes import calling
 
+from graphic_tmm.chapters.planetary.motion import motion_of
 from graphic_tmm.chapters.planetary.refusals import scheme_of
-from graphic_tmm.chapters.planetary.task import Limits, PlanetaryTask, module_ratio
+from graphic_tmm.chapters.planetary.task import ASKED, Limits, PlanetaryTask, module_ratio
 from graphic_tmm.chapters.planetary.tooth_search import choose, search
 from graphic_tmm.errors import StructureError
+from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene
 
 C7 = PlanetaryTask("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003, teeth=(25, None, None))
 TWO = replace(C7, scheme="external-internal", teeth=(), ratio=12.0)
@@ -70,6 +77,51 @@ def test_what_is_no_train_is_refused(change: dict[str, Any], says: str) -> None:
     for act in (scheme_of, search, choose):
         with pytest.raises(StructureError, match=f"planetary: .*{says}"):
             act(replace(C7, **change))
+
+
+@each(
+    "change, says",
+    [
+        ({"scheme": "3K", "ratio": 20.0}, "teeth of scheme .3K. are given, not sought"),
+        ({"scheme": "3K", "driving": "H"}, "its members are 1, 3, 5"),
+        ({"scheme": "3K", "teeth": (24, 30, 84, 18, 73)}, "73 − 18 = 55 is another distance"),
+        ({"scheme": "3K", "teeth": (24, 30, 84, 30, 84)}, "a shaft stands"),
+        ({"scheme": "3K", "driving": "1", "fixed": "5", "behind": (15, 25)}, "ring 3 has no shaft"),
+        ({"scheme": "external", "teeth": (36, 45), "moment": 20.0}, "leave moment out"),
+        ({"scheme": "external", "teeth": (36, 45), "behind": (15, 25)}, "leave behind out"),
+        ({"scheme": "internal", "teeth": (36, 45)}, "36 − 45 = -9.* no distance of the axes"),
+    ],
+)
+def test_what_the_scheme_has_not_is_refused(change: dict[str, Any], says: str) -> None:
+    order = replace(C7, ratio=None, teeth=(24, 30, 84, 18, 72))
+    with pytest.raises(StructureError, match=f"planetary: .*{says}"):
+        choose(replace(order, **change))
+
+
+@pytest.mark.parametrize("scheme", oracle.MESHES)
+def test_the_usual_motion_of_a_scheme_needs_no_key(scheme: str, tmp_path: Path) -> None:
+    """What a scene leaves out: the sun drives and the usual wheel stands; an arm drives, its sun stands."""
+    teeth = oracle.random_teeth(random.Random(1), scheme)
+    said = f'scheme = "{scheme}"\nmodule = "5 mm"\nspeed = "100 rpm"\nteeth = {list(teeth)}\n'
+    held = 'fixed = "H"\n' if scheme != "3K" else ""
+    usual, plain = (
+        _order(read(calling(tmp_path, f"[planetary]\n{said}{more}", sheet="")))
+        for more in ("", held)
+    )
+    motion = motion_of(usual)
+    single = len(teeth) == 2
+    assert (motion.first, motion.fixed) == (
+        ("H", "1") if single else ("1", "3" if scheme in ("ring", "3K") else "4")
+    )
+    assert usual.satellites == ((1,) if single else (3,))
+    if held:
+        assert motion_of(plain)[:2] == ({"1": usual.speed}, "H")
+
+
+def _order(scene: Scene) -> PlanetaryTask:
+    order = ASKED.of(scene)
+    assert order is not None
+    return order
 
 
 def test_modules_without_a_simple_ratio_are_refused() -> None:
