@@ -12,6 +12,7 @@ import shapely
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.planetary.formulas import next_satellite
+from graphic_tmm.chapters.planetary.ink_pairs import occupied, wheels_of
 from graphic_tmm.chapters.planetary.ink_rates import (
     draw_pole,
     picture_letters,
@@ -24,7 +25,6 @@ from graphic_tmm.chapters.planetary.ink_scheme import (
     OVER,
     TrainInk,
     draw_scheme,
-    occupied,
     spots,
 )
 from graphic_tmm.chapters.planetary.pictures import VIEW
@@ -218,18 +218,23 @@ def _with_steps(ink: TrainInk, captions: Sequence[Sequence[Label]]) -> Iterator[
 def _captions(ink: TrainInk, captions: Captions) -> list[list[Label]]:
     """The captions: below the two views, between picture and plan, below the plan.
 
-    One that would stand on another, or on the pair behind the train, goes below it; that of the picture keeps
+    One that would stand on another, or on a wheel outside the train, goes below it; that of the picture keeps
     clear of the scheme.
     """
     picture = [z.real for z in (*ink.zeros.values(), *ink.tips.values())]
     rates = [z.real for z in (ink.foot, *ink.ends.values())]
     views = [ink.centre.real - ink.beyond, ink.scheme.right]
-    low = min([ink.centre.imag - ink.beyond, *(side.far.imag for side in ink.scheme.pair.values())])
+    low = min(
+        [
+            ink.centre.imag - ink.beyond,
+            *(side.far.imag for side in wheels_of(ink.scheme.outside).values()),
+        ]
+    )
     heights = (low, ink.centre.imag, ink.pole.imag)
     half = (min(picture) + max(picture)) / 2 - ink.scheme.right - 2.0
     widths = (math.inf, 2 * half, max(max(rates) - min(rates), COLUMN * ink.heights.point))
     labels: list[list[Label]] = []
-    taken = [shapely.box(*sides) for sides in occupied(ink.scheme)]
+    taken = [shapely.box(*sides) for sides in occupied(ink.scheme.outside)]
     for lines, xs, y, down, most in zip(
         captions, (views, picture, rates), heights, BELOW, widths, strict=True
     ):

@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.chapters.planetary.ink_pairs import (
+    BEARING,
+    GAP,
+    STUB,
+    WIDTH,
+    Side,
+    SideRows,
+    bearing,
+    draw_outside,
+    wheels_of,
+)
 from graphic_tmm.chapters.planetary.motion import Motion
 from graphic_tmm.chapters.planetary.pictures import VIEW, Disc
 from graphic_tmm.chapters.planetary.plan import Planetary, reach_of
@@ -24,16 +35,8 @@ from graphic_tmm.paper.symbols.kinematic import (
     hatching,
 )
 
-WIDTH = 8.0
-"""Width of a wheel, mm."""
 SHAFT = 26.0
 """How far a shaft reaches from its wheel, or from the arm of the carrier, mm."""
-BEARING, GAP = 6.0, 1.8
-"""Length of a bearing, and from the shaft to its lines, mm."""
-OWN, BESIDE = 13.0, 8.0
-"""How far the shaft of a wheel behind the train reaches to either side of it, where its bearings stand, mm."""
-STUB = 2.5
-"""How far a shaft goes on behind its last wheel, mm."""
 DISC = 7.0
 """From a turning ring to the disc that carries it, mm."""
 GROUND = 4.0
@@ -42,29 +45,16 @@ HOLLOW, HUB = 4.0, 14.0
 """Radius of the bore of a wheel through which the shaft of the carrier goes, length of its hollow shaft, mm."""
 
 
-class Side(NamedTuple):
-    """A wheel from its side: two opposite points of its pitch circle and its centre."""
-
-    near: complex
-    far: complex
-    centre: complex
-
-    @property
-    def radius(self) -> float:
-        """Its radius, mm."""
-        return abs(self.near - self.centre)
-
-
 class Scheme2KH(NamedTuple):
     """What is drawn: the scheme, its wheels, the satellite's axis and the main axis at the arm.
 
-    ``pair``: the wheels behind the train, that on the driven shaft first; ``motion``: which members move.
+    ``outside``: the wheels before and behind the train; ``motion``: which members move.
     """
 
     scheme: Scheme
     wheels: dict[str, Side]
     arm: tuple[complex, complex]
-    pair: dict[str, Side]
+    outside: tuple[SideRows, ...]
     motion: Motion
 
     @property
@@ -81,8 +71,9 @@ class Scheme2KH(NamedTuple):
     @property
     def right(self) -> float:
         """Where the shaft of the carrier ends, or that of the last wheel where the carrier runs idle."""
-        if self.pair and self.motion.driven != "1":
-            return next(iter(self.pair.values())).centre.real + WIDTH / 2 + STUB
+        for view in self.outside:
+            if view.member != "1":
+                return view.first.centre.real + WIDTH / 2 + STUB
         if self.last is None:
             return self.arm[1].real + WIDTH / 2 + SHAFT
         beyond = self.hub[1] if self.turns_outside else self.last.centre.real + WIDTH / 2
@@ -118,8 +109,9 @@ class Scheme2KH(NamedTuple):
     @property
     def left(self) -> float:
         """Where the shaft of wheel 1 begins."""
-        if self.pair and self.motion.driven == "1":
-            return next(iter(self.pair.values())).centre.real - WIDTH / 2 - STUB
+        for view in self.outside:
+            if view.member == "1":
+                return view.first.centre.real - WIDTH / 2 - STUB
         return self.wheels["1"].centre.real - WIDTH / 2 - self.before - SHAFT
 
     @property
@@ -137,19 +129,7 @@ def draw_scheme(made: Scheme2KH) -> Iterator[tuple[str, Strokes]]:
     for mesh in made.scheme.meshes[1:]:
         yield mesh.wheel, tuple(_other(made, mesh))
     yield "H", tuple(_carrier(made, list(rims.values())))
-    for k, (name, wheel) in enumerate(made.pair.items()):
-        own = gear_side(wheel.centre, wheel.radius, WIDTH)
-        yield name, (*own, *(_shaft(wheel.centre) if k else ()))
-
-
-def occupied(made: Scheme2KH) -> list[tuple[float, float, float, float]]:
-    """Return the rooms (left, bottom, right, top) of the wheels behind the train, with their shafts."""
-    half = WIDTH / 2 + OWN + STUB
-    return [
-        (x - half, min(y) - STUB, x + half, max(y) + STUB)
-        for wheel in made.pair.values()
-        for x, y in [(wheel.centre.real, (wheel.near.imag, wheel.far.imag))]
-    ]
+    yield from draw_outside(made.outside)
 
 
 def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
@@ -164,7 +144,7 @@ def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
         wheel = made.wheels[name]
         depth = 0.5 * RIM if sense < 0 else -0.3 * wheel.radius
         found[name] = (wheel.centre + half - 1j * (wheel.radius + depth), 1 + 0j)
-    for name, wheel in made.pair.items():
+    for name, wheel in wheels_of(made.outside).items():
         found[name] = (wheel.centre + half + 0.5j * (wheel.far - wheel.centre).imag, 1 + 0j)
     axis, foot = made.arm
     found["H"] = (foot + 0.4 * (axis - foot), 1 + 0j)
@@ -174,13 +154,13 @@ def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
 def _first(made: Scheme2KH, wheel: Side) -> Strokes:
     """Wheel 1 on its shaft; a ring by the disc beside it."""
     end = complex(made.left, 0.0)
-    bearing = _bearing(complex(made.bearing_middle, 0.0))
+    stand = bearing(complex(made.bearing_middle, 0.0))
     if made.motion.fixed == "1":
-        bearing = _built_in(end, -1)
+        stand = _built_in(end, -1)
     if made.scheme.first > 0:
         own = gear_side(wheel.centre, wheel.radius, WIDTH)
-        return (*own, line("main", end, wheel.centre + WIDTH / 2 + STUB), *bearing)
-    return (*_ring_on_shaft(wheel, made.left, -1), *bearing)
+        return (*own, line("main", end, wheel.centre + WIDTH / 2 + STUB), *stand)
+    return (*_ring_on_shaft(wheel, made.left, -1), *stand)
 
 
 def _other(made: Scheme2KH, mesh: Mesh) -> Iterator[Stroke]:
@@ -193,7 +173,7 @@ def _other(made: Scheme2KH, mesh: Mesh) -> Iterator[Stroke]:
     elif wheel == made.last:
         yield from _ring_on_shaft(wheel, made.right, 1)
         middle = wheel.centre.real + WIDTH / 2 + DISC + SHAFT / 2
-        yield from _bearing(complex(middle, 0.0))
+        yield from bearing(complex(middle, 0.0))
     else:
         start = made.arm[1].real - BEARING / 2 - DISC
         yield from _ring_on_hub(wheel, start, start - HUB)
@@ -286,24 +266,7 @@ def _carrier(made: Scheme2KH, rims: list[Side]) -> list[Stroke]:
     beside = max(behind, foot.real) + WIDTH / 2 + 2 * SHAFT / 3
     if made.turns_outside:
         beside = made.hub[1] + SHAFT / 2
-    return [*strokes, *_bearing(complex(beside, 0.0))]
-
-
-def _shaft(at: complex) -> Strokes:
-    """The shaft of a wheel behind the train, on a bearing at either side."""
-    ends = at - WIDTH / 2 - OWN, at + WIDTH / 2 + OWN
-    bearings = (_bearing(at - WIDTH / 2 - BESIDE), _bearing(at + WIDTH / 2 + BESIDE))
-    return (line("main", *ends), *(stroke for one in bearings for stroke in one))
-
-
-def _bearing(at: complex) -> Strokes:
-    """A bearing of the frame on a level shaft."""
-    strokes: list[Stroke] = []
-    for sense in (1, -1):
-        start, end = (at + 1j * sense * GAP + x for x in (-BEARING / 2, BEARING / 2))
-        strokes.append(line("main", start, end))
-        strokes += hatching(start, end, sense)
-    return tuple(strokes)
+    return [*strokes, *bearing(complex(beside, 0.0))]
 
 
 OVER = 6.0
@@ -325,14 +288,15 @@ class TrainInk:
         self.seen, self.made, self.heights = seen, made, heights
         self.fixed, self.rims = made.motion.fixed, made.train.scheme.rims
         self.central = tuple(mesh.wheel for mesh in made.train.scheme.meshes)
-        discs = {wheel: self.side(disc) for wheel, disc in made.axial.discs.items()}
-        pair = made.pair.discs if made.pair is not None else {}
         axis, foot = (self.fixed_place(mark) for mark in made.axial.arm)
         self.scheme = Scheme2KH(
             made.train.scheme,
-            discs,
+            self.sides(made.axial.discs),
             (axis, foot),
-            {wheel: self.side(disc) for wheel, disc in pair.items()},
+            tuple(
+                SideRows(view.member, tuple(map(self.sides, view.discs)))
+                for view in made.pairs.outside
+            ),
             made.motion,
         )
         self.centre = self.fixed_place(made.end.origin)
@@ -348,9 +312,11 @@ class TrainInk:
         """The place of a point that does not vary."""
         return self.seen.point(mark, 0)
 
-    def side(self, disc: Disc) -> Side:
-        """A wheel from its side."""
-        return Side(*(self.fixed_place(mark) for mark in disc))
+    def sides(self, discs: Mapping[str, Disc]) -> dict[str, Side]:
+        """The wheels from their sides."""
+        return {
+            name: Side(*(self.fixed_place(mark) for mark in disc)) for name, disc in discs.items()
+        }
 
     def figures(self, kind: str) -> list[Figure]:
         """The bodies of a kind, as the plan tells them."""

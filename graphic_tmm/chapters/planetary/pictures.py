@@ -2,8 +2,7 @@
 
 The positions of the log are the satellites, evenly about the main axis, the first one above it. The scheme
 stands to the right of the circles on the same axis, so that the levels of the pitch points A (wheel 1 with the
-satellites) and C (the satellites with the fixed wheel) and of a satellite's axis B are carried across. A pair
-of wheels behind the train stands on the driven shaft, its second wheel below the main axis.
+satellites) and C (the satellites with the fixed wheel) and of a satellite's axis B are carried across.
 """
 
 from __future__ import annotations
@@ -15,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.formulas import pitch_radius, to_board
+from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import (
     lay_off,
     measure,
@@ -26,12 +25,11 @@ from graphic_tmm.board.operations.instruments import (
     strike,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Length, Number, Point
+from graphic_tmm.board.values import Angle, Length, Point
 from graphic_tmm.chapters.planetary import words as why
 from graphic_tmm.chapters.planetary.dimensions import Dimensions
-from graphic_tmm.chapters.planetary.formulas import next_satellite, overall_ratio
-from graphic_tmm.chapters.planetary.task import PlanetaryTask, Train
-from graphic_tmm.scene.declare import bound_of
+from graphic_tmm.chapters.planetary.formulas import next_satellite
+from graphic_tmm.chapters.planetary.task import Train
 
 VIEW = "planetary"
 
@@ -76,19 +74,6 @@ class AxialView:
     stations: Mapping[str, Mark]
     discs: Mapping[str, Disc]
     arm: tuple[Mark, Mark]
-
-
-@dataclass(frozen=True)
-class PairView:
-    """The pair of wheels behind the train in the kinematic scheme, with the module of the train.
-
-    ``station``: where it stands along the axis (Length, given); ``discs``: its wheels by their numbers, that on
-    the driven shaft first. ``ratio``: of the train and the pair together (Number, without sign).
-    """
-
-    station: Mark
-    discs: Mapping[str, Disc]
-    ratio: Mark
 
 
 def draw_end_view(draft: Draft, train: Train, sizes: Dimensions) -> EndView:
@@ -177,43 +162,3 @@ def draw_axial_view(draft: Draft, train: Train, end: EndView) -> AxialView:
         draft.figure("disc", wheel, *disc)
     draft.figure("arm", "H", axes["H"], feet["H"])
     return AxialView(stations, discs, (axes["H"], feet["H"]))
-
-
-def draw_pair(
-    draft: Draft, order: PlanetaryTask, train: Train, sizes: Dimensions, end: EndView
-) -> PairView | None:
-    """Draw the pair of wheels behind the train and calculate the ratio of both; None where there is none.
-
-    Raises
-    ------
-    StructureError
-        If a tooth number is none.
-    """
-    if not order.behind:
-        return None
-    first = len(train.scheme.wheels) + 1
-    names = (str(first), str(first + 1))
-    module, teeth = draft.uses(sizes.radii["1"])[0], []
-    for name, count in zip(names, order.behind, strict=True):
-        bound_of(PlanetaryTask, "behind").refuse("planetary", "behind", count)
-        teeth.append(draft.take(Number, f"z_{name}", float(count)))
-    assert sizes.ratio is not None
-    ratio = draft.draw(overall_ratio, "U_0", sizes.ratio, teeth[1], teeth[0])
-    radii = []
-    for name, z in zip(names, teeth, strict=True):
-        real = draft.draw(pitch_radius, f"r_{name}", module, z, unit="m")
-        radii.append(draft.draw(to_board, f"O_{name}E", real))
-    station = draft.ask(Length, f"x_{names[0]}", "mm")
-    own = draft.draw(lay_off, f"O_{names[0]}", end.axis, station)
-    down = draft.draw(square, f"(O_{names[0]}E)", own, end.axis, sense=-1)
-    contact = draft.draw(lay_off, "E", down, radii[0])
-    up = draft.draw(square, f"(O_{names[0]}E_{names[0]})", own, end.axis, sense=1)
-    above = draft.draw(lay_off, f"E_{names[0]}", up, radii[0])
-    onward = draft.draw(square, f"(EO_{names[1]})", contact, end.axis, sense=-1)
-    other = draft.draw(lay_off, f"O_{names[1]}", onward, radii[1])
-    again = draft.draw(square, f"(O_{names[1]}E_{names[1]})", other, end.axis, sense=-1)
-    below = draft.draw(lay_off, f"E_{names[1]}", again, radii[1])
-    discs = {names[0]: Disc(contact, above, own), names[1]: Disc(contact, below, other)}
-    for wheel, disc in discs.items():
-        draft.figure("pair", wheel, *disc)
-    return PairView(station, discs, ratio)

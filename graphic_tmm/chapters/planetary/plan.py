@@ -11,14 +11,13 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.chapters.planetary.dimensions import Dimensions, calculate_train
 from graphic_tmm.chapters.planetary.motion import Motion, motion_of
+from graphic_tmm.chapters.planetary.pairs import Pairs, draw_pairs
 from graphic_tmm.chapters.planetary.pictures import (
     VIEW,
     AxialView,
     EndView,
-    PairView,
     draw_axial_view,
     draw_end_view,
-    draw_pair,
 )
 from graphic_tmm.chapters.planetary.rates import Rates, VelocityPicture, draw_picture, draw_rates
 from graphic_tmm.chapters.planetary.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Scheme, Train
@@ -50,7 +49,7 @@ AROUND = 40.0
 
 @dataclass(frozen=True)
 class Drawn:
-    """What scales are chosen for: train, views, picture, plan, the pair behind it; the share of usual room."""
+    """What scales are chosen for: train, views, picture, plan, wheels outside it; the share of usual room."""
 
     order: PlanetaryTask
     motion: Motion
@@ -59,7 +58,7 @@ class Drawn:
     axial: AxialView
     picture: VelocityPicture
     rates: Rates
-    pair: PairView | None = None
+    pairs: Pairs
     size: float = 1.0
 
 
@@ -72,8 +71,7 @@ def choose_scales(draft: Draft, drawn: Drawn) -> None:
     mu_v, distance, stations = picture.mu, rates.distance, drawn.axial.stations
     draft.given |= {draft.mu_l: 1.0, mu_v: 1.0, distance: 1.0, rates.depth: BELOW}
     draft.given |= dict.fromkeys((*stations.values(), picture.place), 0.0)
-    if drawn.pair is not None:
-        draft.given[drawn.pair.station] = 0.0
+    draft.given |= {mark: 0.0 for view in drawn.pairs.outside for mark in view.stations}
     draft.given[draft.mu_l] = order.mu_l or standard_length(
         2.0 * _reach(draft, drawn), DIAMETER * size
     )
@@ -89,16 +87,19 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
     """Place the rows and the arm of the scheme, then the picture, to the right of the circles.
 
     Where the fixed wheel has external teeth the arm stands between the rows: its shaft goes through that wheel.
-    A pair behind the train stands on the carrier's shaft, to the right, or on that of wheel 1, to the left.
+    Wheels outside the train stand on the shaft of wheel 1, to the left, or on another one, to the right.
     """
     size, scheme = drawn.size, drawn.train.scheme
     outside, idle = scheme.second > 0 and scheme.rows > 1, "H" not in scheme.members
-    first = _reach(draft, drawn) + BESIDE * size + (IDLE if idle else 0.0)
-    if idle and drawn.motion.fixed != "3":
-        first += HOLLOW
-    if drawn.pair is not None and drawn.motion.driven == "1":
-        draft.given[drawn.pair.station] = first
+    first = _reach(draft, drawn) + BESIDE * size
+    rows = {view.member == "1": view.stations for view in drawn.pairs.outside}
+    for station in rows.get(True, ()):
+        draft.given[station] = -SHAFT
         first += SHAFT
+    if rows.get(True):
+        draft.given[rows[True][0]] = first - SHAFT
+    if idle:
+        first += IDLE + (HOLLOW if drawn.motion.fixed != "3" else 0.0)
     last = first + ROW * size * (scheme.rows - 1)
     arm = last + size * (-ROW / 2.0 if outside else ARM)
     if idle:
@@ -112,13 +113,14 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
     turns = not outside and not idle and drawn.motion.fixed != drawn.motion.last
     beside = max(PICTURE * size, CLEAR) + (HOLLOW if turns else 0.0)
     zero = last + size * ARM + beside + max(0.0, -left)
-    if drawn.pair is not None and drawn.motion.driven != "1":
-        station = max(last, arm) + SHAFT + (HOLLOW if turns else 0.0)
-        draft.given[drawn.pair.station] = station
+    if rows.get(False):
+        begins = max(last, arm) + SHAFT + (HOLLOW if turns else 0.0)
+        draft.given |= dict.fromkeys(rows[False], SHAFT)
+        draft.given[rows[False][0]] = begins
         ends = tuple(drawn.rates.ends.values())
         rays = execute(draft.board.construction(), draft.given, ends)
         left = min(left, *(float(rays[mark][0, 0].real) for mark in ends))
-        zero = max(zero, station + AROUND - left)
+        zero = max(zero, begins + (len(rows[False]) - 1) * SHAFT + AROUND - left)
     draft.given[drawn.picture.place] = zero
 
 
@@ -148,7 +150,7 @@ class Planetary:
 
     ``results``: marks (Number) by the names under which tables give them: planetary_z1 …, planetary_satellites,
     planetary_ratio (Willis), planetary_ratio_drawn, planetary_difference (%); overall_ratio, where there is a
-    ``pair`` behind the train.
+    ``pairs`` outside the train.
     """
 
     order: PlanetaryTask
@@ -161,7 +163,7 @@ class Planetary:
     picture: VelocityPicture
     rates: Rates
     results: Mapping[str, Mark]
-    pair: PairView | None = None
+    pairs: Pairs
 
 
 PLANETARY_PLAN: Recorded[Planetary] = Recorded(PLANETARY_TRAIN)
@@ -195,9 +197,9 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
     sizes = calculate_train(draft, order, train)
     end = draw_end_view(draft, train, sizes)
     axial = draw_axial_view(draft, train, end)
-    pair = draw_pair(draft, order, train, sizes, end)
+    pairs = draw_pairs(draft, order, train.scheme, sizes, end)
     motion = motion_of(order)
-    picture = draw_picture(draft, motion, train.scheme, end, sizes)
+    picture = draw_picture(draft, motion, train.scheme, end, sizes, pairs.driving)
     rates = draw_rates(draft, motion, train, end, sizes, picture)
     found = "ratio" if sizes.ratio is not None else "omega"
     results = {f"planetary_z{wheel}": mark for wheel, mark in sizes.teeth.items()}
@@ -209,7 +211,7 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
             "planetary_difference" if sizes.ratio is not None else "planetary_omega_difference"
         ): rates.difference,
     }
-    if pair is not None:
-        results["overall_ratio"] = pair.ratio
-    choose_scales(draft, Drawn(order, motion, train, end, axial, picture, rates, pair, size))
-    return Planetary(order, motion, train, mu, sizes, end, axial, picture, rates, results, pair)
+    if pairs.ratio is not None:
+        results["overall_ratio"] = pairs.ratio
+    choose_scales(draft, Drawn(order, motion, train, end, axial, picture, rates, pairs, size))
+    return Planetary(order, motion, train, mu, sizes, end, axial, picture, rates, results, pairs)

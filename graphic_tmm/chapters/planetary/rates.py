@@ -80,9 +80,17 @@ class Rates:
 
 
 def draw_picture(
-    draft: Draft, motion: Motion, scheme: Scheme, end: EndView, sizes: Dimensions
+    draft: Draft,
+    motion: Motion,
+    scheme: Scheme,
+    end: EndView,
+    sizes: Dimensions,
+    driving: Mark | None = None,
 ) -> VelocityPicture:
-    """Draw the picture from two points of the satellite that are known, of A, its axis B and C."""
+    """Draw the picture from two points of the satellite that are known, of A, its axis B and C.
+
+    ``driving``: the angular velocity of what drives, where it comes of wheels before the train.
+    """
     draft.open(VELOCITIES)
     mu = draft.scale("μ_v", "(m/s)/mm")
     draft.lay_out()
@@ -103,7 +111,7 @@ def draw_picture(
     )
     for member, given in motion.driving.items():
         at = points[member]
-        omegas[member] = draft.take(Number, f"ω_{member}", given, "1/s")
+        omegas[member] = driving or draft.take(Number, f"ω_{member}", given, "1/s")
         speeds[at] = draft.draw(product, f"v_{at}", omegas[member], arms[at], unit="m/s")
         readings[at] = draft.draw(to_board, f"{at}{at.lower()}", speeds[at])
         along = draft.draw(

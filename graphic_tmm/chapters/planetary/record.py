@@ -8,6 +8,7 @@ from typing import NamedTuple
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.planetary import formulas as t
+from graphic_tmm.chapters.planetary.pairs import index, rows_of
 from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN, Planetary, record
 from graphic_tmm.chapters.planetary.task import PLANETARY_TRAIN
 from graphic_tmm.chapters.planetary.torques import draw_torques
@@ -95,14 +96,18 @@ def _most(bench: Bench, made: Planetary) -> Mark | None:
 
 
 def _speed(bench: Bench, made: Planetary) -> Mark | None:
-    """Calculate the speed of the last wheel of a pair behind the train."""
-    if made.pair is None:
+    """Calculate the speed of the last wheel behind the train, of its driven shaft if there is none."""
+    pairs, motion = made.pairs, made.motion
+    if pairs.ratio is None:
         return None
     bench.draft.open(BEHIND)
-    (omega,) = made.picture.omegas.values()
-    driving = bench.draft.draw(t.turns_a_minute, f"n_{made.motion.first}", omega, unit="rpm")
-    last = len(made.train.scheme.wheels) + 2
-    return bench.draft.draw(t.speed_behind, f"n_{last}", driving, made.pair.ratio, unit="rpm")
+    before = rows_of(made.order, made.train.scheme, "before")
+    behind = rows_of(made.order, made.train.scheme, "behind")
+    first = before[-1].names[-1] if before else motion.first
+    last = behind[-1].names[-1] if behind else f"{motion.driven}′"
+    omega = pairs.speeds[0] if pairs.speeds else made.picture.omegas[motion.first]
+    driving = bench.draft.draw(t.turns_a_minute, f"n_{index(first)}", omega, unit="rpm")
+    return bench.draft.draw(t.speed_behind, f"n_{index(last)}", driving, pairs.ratio, unit="rpm")
 
 
 PLAN = Plan(record=record, aside=record_beside)

@@ -24,6 +24,10 @@ def scheme_of(order: PlanetaryTask) -> Scheme:
         listed = ", ".join(SCHEMES)
         says = said('no scheme "{name}": take one of {listed}', name=order.scheme, listed=listed)
         raise TaskError("planetary", "scheme", says)
+    for name in ("behind", "before"):
+        for row in getattr(order, name):
+            for z in row:
+                _bounded(name, z)
     _refuse_sizes(order, scheme)
     _refuse_counts(order, scheme)
     _refuse_shafts(order, scheme)
@@ -111,22 +115,29 @@ def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
     if single and order.moment is not None:
         says = said("the satellite has no shaft on the axis to take a torque: leave moment out")
         raise refused("moment", says)
-    if single and order.behind:
-        says = said("the satellite has no shaft on the axis for a pair: leave behind out")
-        raise refused("behind", says)
-    if order.behind and "H" not in scheme.members and motion_of(order).driven == "3":
-        says = said(
-            "ring 3 has no shaft for a pair behind it: leave behind out, or let 5 be driven"
-        )
-        raise refused("behind", says)
+    motion = motion_of(order)
+    for name, member in (("behind", motion.driven), ("before", motion.first)):
+        if not getattr(order, name):
+            continue
+        if single:
+            says = said(
+                "the satellite has no shaft on the axis for a pair: leave {key} out", key=name
+            )
+            raise refused(name, says)
+        if "H" not in scheme.members and member == "3":
+            raise refused(name, said("ring 3 has no shaft for a pair: leave {key} out", key=name))
+    if order.before and order.behind and "1" not in (motion.driven, motion.first):
+        says = said("pairs before and behind would stand on one side of the train: leave one out")
+        raise refused("before", says)
 
 
 def _refuse_ratio(order: PlanetaryTask) -> None:
     if not motion_of(order).fixed:
         if order.ratio is not None:
             raise refused("ratio", said("a differential has no ratio: leave it out"))
-        if order.behind:
-            raise refused("behind", said("behind a differential no pair is drawn: leave it out"))
+        if order.behind or order.before:
+            says = said("behind a differential no pair is drawn: leave it out")
+            raise refused("behind" if order.behind else "before", says)
     if order.ratio is None:
         if not order.teeth or None in order.teeth:
             raise refused(

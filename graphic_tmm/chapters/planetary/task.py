@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -172,15 +173,17 @@ def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
     return tuple(None if z == "?" else z for z in value)
 
 
-def _pair(value: object, names: Names) -> tuple[int, ...]:
+def _rows(value: object, names: Names) -> tuple[tuple[int, ...], ...]:
+    listed = value if isinstance(value, list) else [value]
+    several = bool(listed) and all(isinstance(one, list) for one in listed)
     try:
-        found = _teeth(value, names)
+        rows = [_teeth(one, names) for one in (listed if several else [listed])]
     except ValueError:
-        found = (None,)
-    if None in found:
+        rows = [(None,)]
+    if any(None in row for row in rows):
         says = said("tooth numbers of a pair that stands already are wanted, [15, 25]")
         raise ValueError(stands(value, says))
-    return tuple(z for z in found if z is not None)
+    return tuple(tuple(z for z in row if z is not None) for row in rows if row)
 
 
 def _speeds(value: object, names: Names) -> float | tuple[float, ...]:
@@ -227,6 +230,8 @@ _ASKED = Kind(
     },
     TEETH,
 )
+_WHEELS: dict[str, Any] = {"type": "array", "items": dict(TEETH.schema)}
+_ROWS = Kind(_rows, {"anyOf": [_WHEELS, {"type": "array", "items": _WHEELS}]}, TEETH)
 _SHAFTS = Kind(
     _satellites,
     {
@@ -253,9 +258,10 @@ class PlanetaryTask:
     scheme, None for one that is to be found; () for all of them. ``satellites``: the numbers of satellites
     that are allowed. ``alpha`` (degrees), ``ha``, ``c``: pressure angle, factors of the addendum and of the
     clearance. ``moment``: torque on the (first) driving shaft in its sense, N·m; None asks for no torques;
-    ``mesh_efficiency``: of each mesh with the carrier held. ``behind``: the teeth of the pair of gears behind
-    the train. ``mu_l`` (m/mm), ``mu_v`` ((m/s)/mm) and ``pole``, the pole distance of the plan of angular
-    velocities (mm): standard and round ones are chosen where they are None.
+    ``mesh_efficiency``: of each mesh with the carrier held. ``behind``: the teeth of the pairs of gears behind
+    the train, in the order in which power goes through them, idlers between; ``before``: of those before it,
+    the ``speed`` is that of the first of them. ``mu_l`` (m/mm), ``mu_v`` ((m/s)/mm) and ``pole``, the pole
+    distance of the plan of angular velocities (mm): standard and round ones are chosen where they are None.
     """
 
     scheme: str = combined_key(
@@ -318,12 +324,17 @@ class PlanetaryTask:
     pole: float | None = key(
         v.DRAWN, "pole distance of the plan of angular velocities", "40 mm", None
     )
-    behind: tuple[int, ...] = key(
-        Kind(_pair, {"type": "array", "items": dict(TEETH.schema)}, TEETH),
-        "teeth of the pair of gears behind the train",
-        [15, 25],
-        (),
+    behind: tuple[tuple[int, ...], ...] = key(
+        _ROWS, "teeth of the pair of gears behind the train, or of several pairs", [15, 25], ()
     )
+    before: tuple[tuple[int, ...], ...] = key(
+        _ROWS, "teeth of the pair of gears before the train, or of several pairs", [20, 60], ()
+    )
+
+    @property
+    def before_ratio(self) -> float:
+        """Angular velocity of the train's driving shaft over that of the first wheel before it."""
+        return math.prod((-1.0) ** (len(row) - 1) * row[0] / row[-1] for row in self.before)
 
 
 ASKED: SectionKey[PlanetaryTask] = SectionKey("planetary")
@@ -347,9 +358,10 @@ def module_ratio(order: PlanetaryTask) -> Fraction:
 
 def check(asked: Said, parts: Parts) -> Iterator[Flaw]:
     """What the section does not say, or says of a pair that is none."""
-    if len(asked.behind) not in (0, 2):
-        says = said("the pair behind the train has two wheels; write [15, 25]")
-        yield Flaw(("planetary", "behind"), says)
+    for name in ("behind", "before"):
+        if any(len(row) < 2 for row in getattr(asked, name)):
+            says = said("a pair has two wheels, three with an idler; write [15, 25]")
+            yield Flaw(("planetary", name), says)
     if asked.ratio is None and not asked.teeth:
         says = said("neither a ratio nor tooth numbers are given; write ratio = 4.55")
         yield Flaw(("planetary", "ratio"), says)

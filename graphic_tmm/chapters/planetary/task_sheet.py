@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
-from graphic_tmm.chapters.planetary.ink_scheme import ASIDE, Scheme2KH, Side, draw_scheme, spots
+from graphic_tmm.chapters.planetary.ink_pairs import Side, SideRows
+from graphic_tmm.chapters.planetary.ink_scheme import ASIDE, Scheme2KH, draw_scheme, spots
 from graphic_tmm.chapters.planetary.motion import Motion, motion_of
+from graphic_tmm.chapters.planetary.pairs import index, rows_of
 from graphic_tmm.chapters.planetary.plan import ARM, ROW, SHAFT
 from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES, PlanetaryTask, Scheme
 from graphic_tmm.language.catalogue import speaking
@@ -27,9 +29,7 @@ def given(scene: Scene) -> Iterator[Given]:
     if order is None:
         return
     motion = motion_of(order)
-    for member, speed in motion.driving.items():
-        told = given_speed(member, speed)
-        yield told._replace(value=math.copysign(float(told.value), speed))
+    yield from _speeds(order, motion)
     if order.ratio is not None:
         yield Given(motion.ratio, order.ratio)
         yield Given("ΔU_{max}", 100.0 * order.tolerance, "%")
@@ -41,13 +41,23 @@ def given(scene: Scene) -> Iterator[Given]:
     for number, teeth in enumerate(order.teeth, 1):
         if teeth is not None:
             yield Given(f"z_{number}", teeth)
-    for number, teeth in enumerate(order.behind, len(SCHEMES[order.scheme].wheels) + 1):
-        yield Given(f"z_{number}", teeth)
+    others = [z for row in (*order.behind, *order.before) for z in row]
+    for number, teeth in enumerate(others, len(SCHEMES[order.scheme].wheels) + 1):
+        yield Given(f"z_{index(str(number))}", teeth)
     yield Given("k", ", ".join(map(str, order.satellites)))
     if order.moment is not None:
         yield Given(f"M_{motion.first}", order.moment, "N·m")
         if order.mesh_efficiency < 1.0:
             yield Given("η_m", order.mesh_efficiency)
+
+
+def _speeds(order: PlanetaryTask, motion: Motion) -> Iterator[Given]:
+    """Yield the speeds that are given, with their signs: of what drives, or of the first wheel before it."""
+    before = rows_of(order, SCHEMES[order.scheme], "before")
+    for member, speed in motion.driving.items():
+        name = before[-1].names[-1] if before else member
+        told = given_speed(index(name), speed / order.before_ratio)
+        yield told._replace(value=math.copysign(float(told.value), speed / order.before_ratio))
 
 
 RADII: Mapping[str, tuple[float, ...]] = {
@@ -106,16 +116,30 @@ def _placed(order: PlanetaryTask, share: float) -> Scheme2KH:
     if "H" not in kind.members:
         arm = -ARM
     motion = motion_of(order)
-    pair = dict[str, Side]()
-    if order.behind:
-        station = max(last, arm) + SHAFT if motion.driven != "1" else -SHAFT
-        number = len(kind.wheels) + 1
-        small, large = (share * radius for radius in BEHIND)
-        at = complex(station)
-        contact, below = at - 1j * small, at - 1j * (small + large)
-        pair[str(number)] = Side(contact, at + 1j * small, at)
-        pair[str(number + 1)] = Side(contact, below - 1j * large, below)
-    return Scheme2KH(kind, wheels, (complex(arm, axis), complex(arm)), pair, motion)
+    outside = []
+    for name, member in (("behind", motion.driven), ("before", motion.first)):
+        right = member != "1"
+        at, way = (max(last, arm) + SHAFT, SHAFT) if right else (min(0.0, arm) - SHAFT, -SHAFT)
+        rows, y = [], 0.0
+        for row in rows_of(order, kind, name):
+            rows.append(_row(row.names, complex(at, y), share))
+            at, y = at + way, [*rows[-1].values()][-1].centre.imag
+        if rows:
+            outside.append(SideRows(member, tuple(rows)))
+    return Scheme2KH(kind, wheels, (complex(arm, axis), complex(arm)), tuple(outside), motion)
+
+
+def _row(names: Sequence[str], at: complex, share: float) -> dict[str, Side]:
+    """Return wheels in mesh from their sides, each below the one before."""
+    found = dict[str, Side]()
+    top = at.imag + share * BEHIND[0]
+    for k, name in enumerate(names):
+        radius = share * BEHIND[min(k, 1)]
+        centre = complex(at.real, top - radius)
+        high, top = complex(at.real, top), top - 2 * radius
+        low = complex(at.real, top)
+        found[name] = Side(high, low, centre) if k else Side(low, high, centre)
+    return found
 
 
 def _central(x: float, radius: float) -> Side:
@@ -158,8 +182,8 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     yield _(_PLANET if single else _PICTURES if motion.fixed else _THIRD)
     if order.moment is not None:
         yield _(_TORQUES)
-    if order.behind:
-        yield _(_BEHIND)
+    if order.behind or order.before:
+        yield _(_BEHIND if order.behind else _BEFORE)
 
 
 _SCHEMES = {
@@ -204,6 +228,9 @@ _PICTURES = said(
     "found from them and compared with Willis's formula."
 )
 _BEHIND = said("The speed behind the following pair of wheels is found.")
+_BEFORE = said(
+    "The speed behind the pair of wheels before the train is found, and that of the driven shaft."
+)
 
 
 TASK_SHEET = TaskSheet(

@@ -30,7 +30,12 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the train in two views with its velocities, the tables of conditions, rates and trains."""
     made, language, reading = PLANETARY_PLAN.on(drawn), drawn.scene.language, drawn.reading
     words, scales, log = captions(language), drawn.scales, drawn.construction
-    told = (*ratio_lines(log, reading, made, language), *_overall(drawn), *_torques(drawn))
+    told = (
+        *calculated_lines(log, reading, made.pairs.speeds, language),
+        *ratio_lines(log, reading, made, language),
+        *_overall(drawn),
+        *_torques(drawn),
+    )
     texts = {name: mu_text(scale, language) for name, scale in scales.items()}
     found = Captions(
         (words["planetary"], texts["planetary"]),
@@ -59,12 +64,12 @@ def _torques(drawn: Drawn) -> list[str]:
 def _overall(drawn: Drawn) -> list[str]:
     """Return the overall ratio and the speed of the last wheel."""
     made = PLANETARY_PLAN.on(drawn)
-    if made.pair is None:
+    if made.pairs.ratio is None:
         return []
     language = drawn.scene.language
     _ = speaking(language)
-    ratio = float(drawn.reading[made.pair.ratio].ravel()[0])
-    first, last = made.order.behind
+    ratio = float(drawn.reading[made.pairs.ratio].ravel()[0])
+    rows = (*made.order.behind, *made.order.before)
     last_speed = BESIDE.on(drawn).speed
     step = drawn.construction.step(last_speed) if last_speed is not None else None
     assert step is not None
@@ -72,9 +77,8 @@ def _overall(drawn: Drawn) -> list[str]:
     speeds = [number(turns[0], language), number(ratio, language), number(turns[1], language)]
     ratios = single(results_of(drawn, made.results))
     own = ratios["planetary_ratio"][0]
-    text = f"{number(own, language)}·{last}/{first}"
-    if own < 0.0:
-        text = f"|{number(own, language)}|·{last}/{first}"
+    train = number(own, language) if own >= 0.0 else f"|{number(own, language)}|"
+    text = "·".join((train, *(f"{row[-1]}/{row[0]}" for row in rows)))
     return [
         f"U_{{0}} = {text} = {number(ratio, language)}",
         f"n = {speeds[0]}/{speeds[1]} = {speeds[2]} {_('rpm')}",

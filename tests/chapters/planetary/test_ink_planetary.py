@@ -50,7 +50,7 @@ ORDERS = {
     ),
 }  # fmt: skip
 ORDERS |= {
-    f"{name}, behind": replace(ORDERS[name], behind=(15, 25))
+    f"{name}, behind": replace(ORDERS[name], behind=((15, 25),))
     for name in ("C7", "internal-internal", "external-external")
 }
 WALL = HEIGHTS["A1"]
@@ -198,7 +198,7 @@ def test_the_pair_behind_the_train_is_in_its_scheme(name: str) -> None:
     """Its wheels touch, are as large as their teeth say, and the first stands on the driven shaft."""
     made, _, reading, view = inked(name)
     mu, scheme = float(reading[made.mu][0, 0]), made.train.scheme
-    x = float(reading[made.pair.station][0, 0])  # type: ignore[union-attr]
+    x = float(reading[made.pairs.outside[0].stations[0]][0, 0])
     boxes = [shape(s).bounds for s in view.strokes if s.part == "wheel" and s.pen == "main"
              and isinstance(s, Stroke) and s.closed and abs(shape(s).centroid.x - x) < 1e-9]  # fmt: skip
     first, other = sorted(boxes, key=lambda sides: -sides[3])

@@ -197,15 +197,15 @@ def test_conditions_of_the_log_are_those_that_were_checked(scheme: str) -> None:
 
 
 def test_a_pair_of_wheels_behind_the_train_multiplies_its_ratio() -> None:
-    made, reading = read(replace(C7, behind=(15, 25)))
+    made, reading = read(replace(C7, behind=((15, 25),)))
     assert value(reading, made.results["overall_ratio"]) == pytest.approx(7.6, rel=1e-14)
-    back, reading = read(replace(order_of("external-external"), behind=(20, 41)))
+    back, reading = read(replace(order_of("external-external"), behind=((20, 41),)))
     own = value(reading, back.sizes.ratio)
     assert own < 0.0
     assert value(reading, back.results["overall_ratio"]) == pytest.approx(-own * 41 / 20)
     for teeth in ((0, 25), (15, 2.5)):
         with pytest.raises(StructureError, match=r"behind = .*: a whole number"):
-            read(replace(C7, behind=teeth))  # type: ignore[arg-type]
+            read(replace(C7, behind=(teeth,)))  # type: ignore[arg-type]
 
 
 def test_scales_and_pole_that_are_asked_for_are_kept() -> None:

@@ -49,7 +49,7 @@ NAN = float("nan")
         ),
         ({"speed": (10.0, -2.0)}, "a differential has no ratio"),
         (
-            {"speed": (10.0, -2.0), "ratio": None, "teeth": (25, 32, 89), "behind": (15, 25)},
+            {"speed": (10.0, -2.0), "ratio": None, "teeth": (25, 32, 89), "behind": ((15, 25),)},
             "behind a differential no pair is drawn",
         ),
         ({"ratio": 0.0}, "a ratio of 0 is none"),
@@ -86,9 +86,12 @@ def test_what_is_no_train_is_refused(change: dict[str, Any], says: str) -> None:
         ({"scheme": "3K", "driving": "H"}, "its members are 1, 3, 5"),
         ({"scheme": "3K", "teeth": (24, 30, 84, 18, 73)}, "73 − 18 = 55 is another distance"),
         ({"scheme": "3K", "teeth": (24, 30, 84, 30, 84)}, "a shaft stands"),
-        ({"scheme": "3K", "driving": "1", "fixed": "5", "behind": (15, 25)}, "ring 3 has no shaft"),
+        (
+            {"scheme": "3K", "driving": "1", "fixed": "5", "behind": ((15, 25),)},
+            "ring 3 has no shaft",
+        ),
         ({"scheme": "external", "teeth": (36, 45), "moment": 20.0}, "leave moment out"),
-        ({"scheme": "external", "teeth": (36, 45), "behind": (15, 25)}, "leave behind out"),
+        ({"scheme": "external", "teeth": (36, 45), "behind": ((15, 25),)}, "leave behind out"),
         ({"scheme": "internal", "teeth": (36, 45)}, "36 − 45 = -9.* no distance of the axes"),
     ],
 )

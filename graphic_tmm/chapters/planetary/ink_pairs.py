@@ -1,0 +1,88 @@
+"""Wheels outside a planetary train along its axis: rows on its shafts, the shafts and bearings of others."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from graphic_tmm.paper.drawing import Stroke, line
+from graphic_tmm.paper.symbols.kinematic import Strokes, gear_side, hatching
+
+WIDTH = 8.0
+"""Width of a wheel, mm."""
+BEARING, GAP = 6.0, 1.8
+"""Length of a bearing, and from the shaft to its lines, mm."""
+OWN, BESIDE = 13.0, 8.0
+"""How far the shaft of a wheel behind the train reaches to either side of it, where its bearings stand, mm."""
+STUB = 2.5
+"""How far a shaft goes on behind its last wheel, mm."""
+
+
+class Side(NamedTuple):
+    """A wheel from its side: two opposite points of its pitch circle and its centre."""
+
+    near: complex
+    far: complex
+    centre: complex
+
+    @property
+    def radius(self) -> float:
+        """Its radius, mm."""
+        return abs(self.near - self.centre)
+
+
+class SideRows(NamedTuple):
+    """Rows of wheels on the shaft of a member, from the train outward; each by the numbers of its wheels."""
+
+    member: str
+    rows: tuple[dict[str, Side], ...]
+
+    @property
+    def first(self) -> Side:
+        """The wheel on the shaft of the train."""
+        return next(iter(self.rows[0].values()))
+
+
+def wheels_of(outside: Sequence[SideRows]) -> dict[str, Side]:
+    """Return all wheels by their numbers."""
+    return {name: wheel for view in outside for row in view.rows for name, wheel in row.items()}
+
+
+def draw_outside(outside: Sequence[SideRows]) -> Iterator[tuple[str, Strokes]]:
+    """Yield the wheels, each with the shaft that it brings: the last of a row carries the next row, too."""
+    for view in outside:
+        after = [next(iter(row.values())) for row in view.rows[1:]]
+        for row, carried in zip(view.rows, [*after, None], strict=True):
+            last = [*row][-1]
+            for k, (name, wheel) in enumerate(row.items()):
+                strokes = gear_side(wheel.centre, wheel.radius, WIDTH)
+                other = carried if carried is not None and name == last else wheel
+                yield name, (*strokes, *(_shaft(wheel.centre, other.centre) if k else ()))
+
+
+def occupied(outside: Sequence[SideRows]) -> list[tuple[float, float, float, float]]:
+    """Return the rooms (left, bottom, right, top) of the wheels outside the train, with their shafts."""
+    half = WIDTH / 2 + OWN + STUB
+    return [
+        (x - half, min(y) - STUB, x + half, max(y) + STUB)
+        for wheel in wheels_of(outside).values()
+        for x, y in [(wheel.centre.real, (wheel.near.imag, wheel.far.imag))]
+    ]
+
+
+def _shaft(one: complex, other: complex) -> Strokes:
+    """The shaft of one wheel, or of two, on a bearing at either side."""
+    left, right = sorted((one, other), key=lambda z: z.real)
+    ends = left - WIDTH / 2 - OWN, right + WIDTH / 2 + OWN
+    bearings = (bearing(left - WIDTH / 2 - BESIDE), bearing(right + WIDTH / 2 + BESIDE))
+    return (line("main", *ends), *(stroke for one in bearings for stroke in one))
+
+
+def bearing(at: complex) -> Strokes:
+    """A bearing of the frame on a level shaft."""
+    strokes: list[Stroke] = []
+    for sense in (1, -1):
+        start, end = (at + 1j * sense * GAP + x for x in (-BEARING / 2, BEARING / 2))
+        strokes.append(line("main", start, end))
+        strokes += hatching(start, end, sense)
+    return tuple(strokes)
