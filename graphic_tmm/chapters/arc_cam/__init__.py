@@ -16,10 +16,12 @@ alike: the replacing mechanism. A flat face touches where the arc's normal is pa
 The displacements are laid off over the turn and differentiated twice by chords (`plan`). Where the follower
 goes from arc to arc d²S/dφ² jumps; chords smooth the jump over an interval. dS/dφ is found once more without
 differentiation: the normal KB and the line through O square to the rod meet in the instant centre P of cam and
-follower, and OP is dS/dφ (of a lever: P on the line of pivots, dψ/dφ = OP/O1P). The table holds both.
+follower, and OP is dS/dφ (of a lever: P on the line of pivots, dψ/dφ = OP/O1P). And both derivatives are found
+by plans of velocities and accelerations of the replacing mechanism, at a change of arcs before and behind it
+(`linkage`). The table holds all, and by how much chords are off.
 
-Draws: place ``arc_cam``: the contour with its follower, diagrams, a table, the stroke; on a board of its own
-whose positions are angles of the cam, and the four at which the follower goes from arc to arc. Builds on the
+Draws: place ``arc_cam``: the contour with its follower, diagrams, plans, a table, the stroke; on a board of its
+own whose positions are angles of the cam, and the four at which the follower goes from arc to arc. Builds on the
 chapter of cams, whose instruments it takes.
 
 Sources: Артоболевский И. И., Теория механизмов и машин (кулачковые механизмы: заменяющие механизмы); Попов

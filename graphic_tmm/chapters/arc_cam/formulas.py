@@ -53,44 +53,14 @@ def rate_of_lever(part: Length, rest: Length) -> Number:
     """{part}/{rest}"""
 
 
-_NORMAL = said(
-    "What goes round a point has an acceleration towards it: the square of the velocity over the distance. The "
-    "cam turns by a radian a second here, so lengths stand for velocities and accelerations."
-)
-
-
-@formula(holds="{rod} > 0", fails="the rod has no length", why=_NORMAL)
-def normal_part(part: Length, rod: Length) -> Length:
-    """{part}²/{rod}"""
-
-
 @formula(
     why=said(
-        "A straight flank is a rod without end: of it and of its normal acceleration twice the part stays."
+        "Chords give the mean of an interval; at a change of arcs they are compared with the middle of both "
+        "sides."
     )
 )
-def twice(part: Length) -> Length:
-    """2·{part}"""
-
-
-@formula(
-    why=said(
-        "The polygon is drawn turned round: towards the follower the acceleration is away from it."
-    )
-)
-def second_derivative(part: Length, mu: Number) -> Number:
-    """−{part}·{mu}"""
-
-
-@formula(
-    holds="{arm} > 0",
-    fails="the lever has no length",
-    why=said(
-        "The tangential acceleration of the lever's end, over its length, is that of its angle."
-    ),
-)
-def second_of_lever(part: Length, arm: Length) -> Number:
-    """{part}/{arm}"""
+def off_by_chords(chord: Length, mu: Number, before: Number, behind: Number) -> Number:
+    """{chord}·{mu} − ({before} + {behind})/2"""
 
 
 @formula(

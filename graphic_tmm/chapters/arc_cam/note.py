@@ -10,6 +10,7 @@ from graphic_tmm.board.operations.formulas import pole_distance, to_board
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.arc_cam import formulas as f
 from graphic_tmm.chapters.arc_cam.contour import VIEW
+from graphic_tmm.chapters.arc_cam.linkage import ACCELERATIONS, VELOCITIES
 from graphic_tmm.chapters.arc_cam.plan import VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.record import BESIDE
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
@@ -81,9 +82,10 @@ PIVOTS = said(
     "position {position}:"
 )
 SECOND = said(
-    "d²S/dφ² is found once more without differentiation, by the arc that the follower is on: its centre is the "
-    "crank's pin, the normal the rod of a linkage that moves the follower alike, whose accelerations are "
-    "drawn. At a change of arcs it jumps: the index + is that of the arc behind the change."
+    "Both derivatives are found once more without differentiation, by the linkage that replaces the cam on the "
+    "arc that the follower is on: its crank leads to the arc's centre, the angular velocity of the cam is put "
+    "to 1, and plans of velocities and accelerations are drawn, with directions taken from the contour. At a "
+    "change of arcs d²S/dφ² jumps: the index + is that of the arc behind the change."
 )
 APART = said(
     "By chords dS/dφ is {chords} in position {position}, by the instant centre {instant}: there they differ "
@@ -131,7 +133,8 @@ class ArcCamPage(Page[ArcCam]):
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told: contour, follower, diagrams, the table."""
-        order, (contour, *graphs) = self.recorded.order, list(self.pictures)
+        order, plans = self.recorded.order, (VELOCITIES, ACCELERATIONS)
+        contour, *graphs = [one for one in self.pictures if one not in plans]
         yield self.head(CONTOUR)
         straight = order.rise.radius is None and order.fall.radius is None
         yield self.says(TANGENTS if straight else CIRCLES)
@@ -154,10 +157,11 @@ class ArcCamPage(Page[ArcCam]):
         yield self.says(PIVOTS if self.recorded.order.follower == ROCKER else INSTANT)
         yield from self.worked_out(self.recorded.follower.rate)
         yield self.says(SECOND)
+        yield from self.leads(self.figures(VELOCITIES, ACCELERATIONS))
         beside, speeds = BESIDE.on(self.drawn), list[Mark]()
         if beside.velocity is not None and beside.acceleration is not None:
             speeds = [beside.velocity, beside.acceleration[0]]
-        yield from self.worked_out(beside.second[0], *speeds)
+        yield from self.worked_out(beside.plans.second[0], *speeds)
 
     def _angle(self) -> Number:
         """Return the angle of the cam in the position that is worked, as the table tells it."""

@@ -18,14 +18,12 @@ from graphic_tmm.chapters.arc_cam import formulas as f
 from graphic_tmm.chapters.arc_cam.contour import Contour, draw_contour
 from graphic_tmm.chapters.arc_cam.follower import Follower, draw_follower
 from graphic_tmm.chapters.arc_cam.geometry import SAME, Lie, lie
-from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ASKED, ROCKER, ArcTask
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ASKED, CHANGES, ROCKER, ArcTask
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
 
 VIEWS = {"S": "arc cam S", "V": "arc cam dS", "A": "arc cam ddS"}
 LETTERS = {"S": "S", "V": "S′", "A": "S″"}
-NAMES = ("I", "II")
-"""What positions are called at which the follower goes onto the nose and off it."""
 ROOM = 50.0
 """Room for the highest ordinate of a diagram, mm."""
 REACH = 130.0
@@ -95,7 +93,7 @@ def reach_of(order: ArcTask) -> float:
 def _changes(where: Lie, parts: int) -> dict[str, float]:
     """Return the numbers, by name, at which the follower goes onto the nose and off it, off the row."""
     found: dict[str, float] = {}
-    for name, angle in zip(NAMES, where.changes[1:3], strict=True):
+    for name, angle in zip(CHANGES, where.changes[1:3], strict=True):
         number = (angle - where.changes[0]) * parts / where.work
         known = (*found.values(), round(number))
         if not any(abs(number - one) < SAME for one in known):

@@ -19,20 +19,24 @@ PLAN = ARC_CAM
 def arc_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return S, its derivatives by chords and without differentiation, speeds, the pressure angle.
 
-    By the arcs' centres d²S/dφ² is told twice: at a change of arcs before it, and behind it.
+    By the replacing linkage d²S/dφ² is told twice: at a change of arcs before it, and behind it.
     """
     made, reading = ARC_CAM_PLAN.on(drawn), drawn.reading
     count, follower = len(made.angles), made.follower
     motion = "rad" if made.order.follower == ROCKER else "m"
     charts = dict(zip(marks(made), made.charts.values(), strict=True))
-    found = []
+    beside = BESIDE.on(drawn)
+    plans, found = beside.plans, list[Column]()
     for segment, mark in marks(made).items():
         mm, value = (reading.figure(mark, by) for by in (None, charts[segment].mu))
         found.append(_column(segment, motion, value, count, mm))
         if segment == "dS":
-            found.append(_column("dS_P", motion, reading.figure(follower.rate), count))
-    beside = BESIDE.on(drawn)
-    exact = dict(zip(("ddS_K", "ddS_K_after"), beside.second, strict=True))
+            exact = {"dS_P": follower.rate, "dS_K": plans.first, "dS_off": beside.apart[0]}
+            found += [
+                _column(name, motion, reading.figure(one), count) for name, one in exact.items()
+            ]
+    exact = dict(zip(("ddS_K", "ddS_K_after"), plans.second, strict=True))
+    exact["ddS_off"] = beside.apart[1]
     if beside.velocity is not None and beside.acceleration is not None:
         names = ("omega", "eps") if motion == "rad" else ("v", "a")
         exact |= {names[0]: beside.velocity}
@@ -53,14 +57,30 @@ def _column(segment: str, unit: str, value: Reals, count: int, mm: Reals | None 
 
 
 def results(drawn: Drawn) -> Results:
-    """Return the stroke, the greatest of S in all positions; how far the flanks' centres stand from others."""
+    """Return the stroke; the greatest of what the linkage gives; how far the flanks' centres stand from others.
+
+    Both sides of a change of arcs count: there accelerations are greatest.
+    """
     made = ARC_CAM_PLAN.on(drawn)
     chart = made.charts["S"]
     value = drawn.reading.figure(chart.ordinates[0], chart.mu)
     with np.errstate(all="ignore"):
         stroke = np.fmax.reduce(value, axis=1, initial=-np.inf)
     found = {"arc_stroke": (stroke, chart.unit)}
-    for number, pair in BESIDE.on(drawn).centres.items():
+    beside = BESIDE.on(drawn)
+    rates, seconds, letters = beside.plans.first, beside.plans.second, ("rate", "second")
+    if beside.velocity is not None and beside.acceleration is not None:
+        rates, seconds = beside.velocity, beside.acceleration
+        letters = ("omega", "eps") if rates.unit == "1/s" else ("v", "a")
+    rows = [drawn.reading.figure(mark) for mark in (rates, *seconds)]
+    with np.errstate(all="ignore"):
+        most = np.fmax.reduce(np.abs(rows[0]), axis=1, initial=-np.inf)
+        both = np.concatenate(rows[1:], axis=1)
+        ends = (np.fmax.reduce(both, axis=1), np.fmin.reduce(both, axis=1))
+    found[f"arc_{letters[0]}_max"] = (most, rates.unit)
+    for name, figures in zip(("max", "min"), ends, strict=True):
+        found[f"arc_{letters[1]}_{name}"] = (figures, seconds[0].unit)
+    for number, pair in beside.centres.items():
         for name, mark in zip(("flank_centre", "flank_to_nose"), pair, strict=True):
             found[f"{name}{number}"] = (drawn.reading.figure(mark)[:, 0].copy(), mark.unit)
     return found

@@ -24,6 +24,8 @@ ARC_CAM = "arc_cam"
 
 STRAIGHT = "straight"
 """The flank of infinite radius: a tangent to both circles."""
+CHANGES = ("I", "II")
+"""What positions are called at which the follower goes onto the nose and off it."""
 ROLLER, FLAT, ROCKER = "roller", "flat", "rocker"
 
 
@@ -47,6 +49,14 @@ def _flank(value: object, names: Names) -> float:
     return float(v.POSITIVE_LENGTH.read(value, names))
 
 
+def _plans(value: object, names: Names) -> tuple[str, ...]:
+    """Return positions by name, the changes of arcs among them."""
+    if not isinstance(value, list):
+        return tuple(v.POSITIONS.read(value, names))
+    return tuple(one if one in CHANGES else v.POSITION.read(one, names) for one in value)
+
+
+_PLANS = Kind(_plans, v.POSITIONS.told)
 _FLANK = Kind(_flank, v.SCALE, unit="length, or straight")
 _LEAST = v.quantity("length", Bound(0))
 
@@ -69,8 +79,9 @@ class ArcTask:
     pressure angle of the rise), "flat" face square to its rod, or a "rocker" with a roller (``lever`` l,
     ``centres`` a; ``same_sense``: on the rise it turns as the cam does). ``roller`` r: 0 for an edge. The
     angle of the cam is counted from where the follower begins to rise; that over which it moves is divided into
-    ``parts``. ``length``: of the diagrams' base; ``mu_l`` of the contour (m/mm), if not a
-    standard one. ``speed``: of the cam (1/s), if velocities and accelerations are wanted.
+    ``parts``. ``accelerations``: positions whose plans of the replacing linkage are drawn. ``length``: of the
+    diagrams' base; ``mu_l`` of the contour (m/mm), if not a standard one. ``speed``: of the cam (1/s), if
+    velocities and accelerations are wanted.
     """
 
     base: float = key(v.POSITIVE_LENGTH, "the radius of the base circle", "20 mm")
@@ -115,6 +126,13 @@ class ArcTask:
         16,
         16,
     )
+    accelerations: tuple[str, ...] = key(
+        _PLANS,
+        "positions whose plans of velocities and accelerations are drawn, by the linkage that replaces the "
+        "cam; I and II are the changes of arcs",
+        [3, "I"],
+        (),
+    )
     length: float = key(v.DRAWN, "length of the diagrams' base", "240 mm", 240.0, fixes="size")
     mu_l: float | None = key(
         v.MU_L, 'm/mm of the contour, or "1:1"', "0.0005 m/mm", None, fixes="size"
@@ -140,6 +158,14 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
         if name in parts.doc[at] and cam.follower != follower:
             says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
             yield Flaw((at, name), says)
+    for i, name in enumerate(cam.accelerations):
+        if name not in (*CHANGES, "all") and not (name.isdigit() and int(name) <= cam.parts):
+            says = said(
+                "there is no position {name}; the row goes from 0 to {last}, I and II are the changes of arcs",
+                name=name,
+                last=cam.parts,
+            )
+            yield Flaw((at, "accelerations", i), says)
     if cam.follower == FLAT and cam.roller:
         says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
         yield Flaw((at, "roller"), says)

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.arc_cam.ink import ArcNames, draw_contour_ink
+from graphic_tmm.chapters.arc_cam.ink_plans import draw_plan
+from graphic_tmm.chapters.arc_cam.linkage import ACCELERATIONS, VELOCITIES
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, LETTERS, VIEWS, ArcCam
+from graphic_tmm.chapters.arc_cam.record import BESIDE
 from graphic_tmm.chapters.arc_cam.table import PLAN, arc_columns
 from graphic_tmm.chapters.arc_cam.table import results as figures
 from graphic_tmm.drawn import Drawn, single
@@ -24,6 +28,9 @@ from graphic_tmm.readers.result_table import result_table, results
 from graphic_tmm.readers.task_sheet import given_views
 from graphic_tmm.scene.captions import captions
 
+SPEEDS = ("arc_v_", "arc_a_", "arc_omega_", "arc_eps_")
+"""What results of speeds and accelerations begin with."""
+
 
 def arc_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the views of a cam given by arcs."""
@@ -33,6 +40,7 @@ def arc_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     return [
         _contour(drawn, made, lettered),
         _diagrams(drawn, made, lettered),
+        *_plans(drawn, lettered),
         result_table(PLAN, rows, drawn.names, language, upright=True, heights=high),
         _results(drawn),
     ]
@@ -88,12 +96,29 @@ def _diagrams(drawn: Drawn, made: ArcCam, lettered: bool) -> Drawing:
     return stacked("arc_cam-diagrams", views, told_of, high)
 
 
+def _plans(drawn: Drawn, lettered: bool) -> Iterator[Drawing]:
+    """Yield the plans of the replacing linkage, if they are asked for; with a speed their real scales, too."""
+    beside, language = BESIDE.on(drawn), drawn.scene.language
+    plans, real = beside.plans, beside.scales or (None, None)
+    for view, mu, own in zip((VELOCITIES, ACCELERATIONS), plans.scales, real, strict=True):
+        if plans.asked:
+            on = subject(drawn, captions(language)[view], PLAN)
+            picture = draw_plan(on, view, plans, plans.asked, drawn.value(mu))
+            scales = [
+                mu_text(Scale(one.name, drawn.value(one), one.unit), language)
+                for one in (mu, own)
+                if one is not None
+            ]
+            yield with_caption(picture, on, lettered, *scales)
+
+
 def _results(drawn: Drawn) -> Drawing:
     language = drawn.scene.language
     words, rows = captions(language), []
     for name, (value, of) in single(figures(drawn)).items():
         in_mm = of == "m"
-        figure = fixed(1000.0 * value if in_mm else value, 2 if in_mm else 4, language)
+        speed = name.startswith(SPEEDS)
+        figure = fixed(1000.0 * value if in_mm else value, 2 if in_mm or speed else 4, language)
         rows.append([words[name], figure, unit("mm" if in_mm else of, language)])
     high = heights(drawn.scene, PLAN)
     return results("table-arc_cam-results", words["arc_cam"], rows, language, high)

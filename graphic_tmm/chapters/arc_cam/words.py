@@ -15,6 +15,8 @@ CAPTIONS: dict[str, str] = {
     "arc cam dS": said("Diagram of dS/dφ"),
     "arc cam ddS": said("Diagram of d²S/dφ²"),
     "arc_cam-calculation": said("Calculation of the cam given by arcs"),
+    "arc cam velocities": said("Velocities of the replacing linkage"),
+    "arc cam accelerations": said("Accelerations of the replacing linkage"),
     "phase nose": said("Nose"),
     "phase readings": said("Readings"),
     "given straight": said("straight"),
@@ -28,7 +30,10 @@ CAPTIONS: dict[str, str] = {
     "symbol arc S": "S",
     "symbol arc dS": "S′",
     "symbol arc dS_P": "S′_{P}",
+    "symbol arc dS_K": "S′_{K}",
+    "symbol arc dS_off": "ΔS′",
     "symbol arc ddS": "S″",
+    "symbol arc ddS_off": "ΔS″",
     "symbol arc pressure": "α",
     "symbol arc ddS_K": "S″_{K}",
     "symbol arc ddS_K_after": "S″_{K+}",
@@ -39,6 +44,15 @@ CAPTIONS: dict[str, str] = {
     "symbol arc eps": "ε_{B}",
     "symbol arc eps_after": "ε_{B+}",
     "arc_stroke": said("h, stroke"),
+    "arc_rate_max": "S′_{max}",
+    "arc_second_max": "S″_{max}",
+    "arc_second_min": "S″_{min}",
+    "arc_v_max": "v_{max}",
+    "arc_a_max": "a_{max}",
+    "arc_a_min": "a_{min}",
+    "arc_omega_max": "ω_{max}",
+    "arc_eps_max": "ε_{max}",
+    "arc_eps_min": "ε_{min}",
     "flank_centre1": "OF_{1}",
     "flank_to_nose1": "CF_{1}",
     "flank_centre2": "OF_{2}",
@@ -50,8 +64,11 @@ SYMBOLS = (
     ("r_2", said("radius of the nose"), "m"),
     ("d", said("distance of the nose's centre"), "m"),
     ("S′_P", said("dS/dφ by the instant centre"), "m"),
-    ("S″_K", said("d²S/dφ² by the arc's centre, before a change of arcs"), "m"),
-    ("S″_{K+}", said("d²S/dφ² by the arc's centre, behind a change of arcs"), "m"),
+    ("S′_K", said("dS/dφ by the replacing linkage"), "m"),
+    ("ΔS′", said("by how much dS/dφ by chords differs from that"), "m"),
+    ("ΔS″", said("by how much d²S/dφ² by chords differs from that of the replacing linkage"), "m"),
+    ("S″_K", said("d²S/dφ² by the replacing linkage, before a change of arcs"), "m"),
+    ("S″_{K+}", said("d²S/dφ² by the replacing linkage, behind a change of arcs"), "m"),
 )
 """Its letters in a note: what they stand for, their units."""
 
@@ -118,20 +135,24 @@ INSTANT = said(
     "It stands on the common normal, too: across it, at the contact, the bodies move alike."
 )
 PRESSURE = said("The pressure angle is that between the normal and the follower's way.")
-WAY = said(
-    "The follower's acceleration goes along its way: on the line through O along it the polygon closes."
+LINKAGE = said(
+    "On an arc the cam is a crank to the arc's centre, and a link from there keeps the follower's point at its "
+    "distance: a linkage that moves the follower alike. A straight flank is a slot of the cam."
 )
-WAY_OF_LEVER = said(
-    "The lever's end has a normal acceleration along the lever; square to it, from there, the polygon closes."
+YOKE = said(
+    "The arc's centre keeps its distance from the flat face: it slides as in a slot of the follower."
 )
-TRIANGLE = said(
-    "The cam turns the arc's centre, the rod goes from there along the normal, the follower's velocity has "
-    "its line: the triangle of velocities, turned by a right angle."
+CRANK = said(
+    "The cam's angular velocity is put to 1, so the crank's end has a velocity, and an acceleration, as large "
+    "as the crank is long."
 )
-NORMAL_PART = said(
-    "Behind the acceleration of the arc's centre comes the normal one of the rod, along it."
+TURNS_OR_SLIDES = said(
+    "What turns about a point moves square to the rod, what slides in a slot along it: that is its line."
 )
-CLOSES = said("The tangential acceleration of the rod is square to it: it closes the polygon.")
+MOVES = said("The follower's point moves along its guide, or square to its lever.")
+BOTH = said("The vector is known in two ways: it ends where both lines meet.")
+ROD = said("What goes round a point has an acceleration towards it, along the rod.")
+LEVER = said("The lever's end has a normal acceleration towards the lever's pivot.")
 CENTRE = said(
     "How far the centre of a flank stands from the other centres is read off the contour."
 )
