@@ -34,6 +34,8 @@ def contour(order: ArcTask, fine: int = FINE) -> list[np.ndarray]:
     """Polylines of the contour, nose downward, the flank of the rise on the left (it turns clockwise)."""
     round_ = np.exp(2j * np.pi * (np.arange(fine + 3) + 0.37) / fine)
     nose = -1j * order.distance
+    if order.eccentric:
+        return [nose + order.nose * round_]
     found = [order.base * round_, nose + order.nose * round_]
     for flank, side in ((order.rise, -1.0), (order.fall, 1.0)):
         found.append(_flank(order, flank, side, fine))

@@ -20,9 +20,11 @@ follower, and OP is dS/dφ (of a lever: P on the line of pivots, dψ/dφ = OP/O1
 by plans of velocities and accelerations of the replacing mechanism, at a change of arcs before and behind it
 (`linkage`). The table holds all, and by how much chords are off.
 
+A disc on a shaft beside its centre is the simplest cam of arcs: an eccentric, one arc all round (`geometry`).
+
 Draws: place ``arc_cam``: the contour with its follower, diagrams, plans, a table, the stroke; on a board of its
-own whose positions are angles of the cam, and the four at which the follower goes from arc to arc. Builds on the
-chapter of cams, whose instruments it takes.
+own whose positions are angles of the cam, and the four at which the follower goes from arc to arc. Builds on
+the chapter of cams, whose instruments it takes.
 
 Sources: Артоболевский И. И., Теория механизмов и машин (кулачковые механизмы: заменяющие механизмы); Попов
 С. А., Тимофеев Г. А., Курсовое проектирование.

@@ -92,13 +92,23 @@ def draw_contour(
     origin = draft.take(Point, "O", 0j)
     way = draft.direction(-90.0 + sense * begin)
     down = draft.draw(ray, "(OC)", origin, way, why=why.NOSE)
-    nose = draft.draw(lay_off, "C", down, _length(draft, "d", order.distance), why=why.NOSE)
+    letters = ("e_C", "R") if order.eccentric else ("d", "r_2")
+    nose = draft.draw(lay_off, "C", down, _length(draft, letters[0], order.distance), why=why.NOSE)
     sizes = _Sizes(
         _length(draft, "r_1", order.base),
-        _length(draft, "r_2", order.nose) if order.nose else None,
+        _length(draft, letters[1], order.nose) if order.nose else None,
         _length(draft, "r", order.roller) if order.roller else None,
     )
     arcs = {"base": _circle(draft, "base", origin, sizes.base, sizes.roller)}
+    if order.eccentric:
+        arcs["nose"] = _circle(draft, "nose", nose, sizes.nose, sizes.roller)
+        up = draft.draw(parallel, "(n)", origin, down, sense=-1, why=why.OPPOSITE)
+        touch = draft.draw(lay_off, "T", up, sizes.base, why=why.OPPOSITE)
+        reach = arcs["base"].reach
+        assert reach is not None
+        lowest = End(up, draft.draw(lay_off, "b", up, reach) if sizes.roller else touch)
+        draft.figure("contour", "", touch)
+        return Contour(scale, origin, nose, arcs, (touch,) * 4, (lowest, lowest))
     rise = _flank(draft, "rise", order.rise, (origin, nose), sizes, -sense)
     like = order.fall == order.rise
     fall = _flank(draft, "return", order.fall, (origin, nose), sizes, sense, 3 if like else 4)

@@ -27,7 +27,7 @@ from graphic_tmm.chapters.arc_cam import formulas as f
 from graphic_tmm.chapters.arc_cam import words as why
 from graphic_tmm.chapters.arc_cam.contour import Arc, Contour, End
 from graphic_tmm.chapters.arc_cam.formulas import line_on_arc, on_arc, turn_between
-from graphic_tmm.chapters.arc_cam.geometry import ARCS, Lie, side_on_straight
+from graphic_tmm.chapters.arc_cam.geometry import ARCS, TURN, Lie, side_on_straight
 from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ArcTask
 from graphic_tmm.chapters.cam.operations import slant, slew
 
@@ -112,10 +112,13 @@ class _Page:
             self.centres, self.lever = (
                 draw(to_board, name, real) for (name, _), real in zip(lengths, reals, strict=True)
             )
-        ends = [self._end(*one) for one in zip(contour.ends, ("0", "N"), strict=True)]
-        self.begin = ends[0]
+        self.begin = self._end(contour.ends[0], "0")
         self.parts = draft.take(Number, "N", float(order.parts))
-        self.work = draw(turn_between, "Φ", *ends, sense=-sense, unit="°")
+        if order.eccentric:
+            self.work = draft.angle("Φ", TURN)
+        else:
+            ends = (self.begin, self._end(contour.ends[1], "N"))
+            self.work = draw(turn_between, "Φ", *ends, sense=-sense, unit="°")
 
     def _end(self, end: End, index: str) -> Mark:
         """Draw the line of the rod, or of the pivots, through the cam's centre where the follower goes over."""

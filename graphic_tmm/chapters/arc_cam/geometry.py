@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import cmath
 import math
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -40,8 +41,15 @@ class Lie(NamedTuple):
         """The angle of the cam over which the follower moves, degrees."""
         return self.changes[3] - self.changes[0]
 
+    @property
+    def whole(self) -> bool:
+        """Whether the follower is on one arc all the way round: that of an eccentric."""
+        return abs(self.work - TURN) < SAME
+
     def arc_at(self, share: float) -> int:
         """Return which arc (`ARCS`) it is on at a share of that angle; where two meet the one before."""
+        if self.whole:
+            return ARCS.index("nose")
         inner = [(change - self.changes[0]) / self.work for change in self.changes[1:3]]
         return sum(share > change + SAME for change in inner)
 
@@ -54,6 +62,8 @@ def lie(order: ArcTask) -> Lie:
     TaskError
         If the arcs do not touch, or the follower does not reach them; it says what to change.
     """
+    if order.eccentric:
+        return _round(order)
     _refuse_circles(order)
     for flank, name in ((order.rise, "flank"), (order.fall, "return_flank")):
         _refuse_flank(order, flank, name)
@@ -73,6 +83,24 @@ def lie(order: ArcTask) -> Lie:
     _refuse_order(order, angles, centres)
     first, second, third, last = angles
     return Lie((first, second, third, last))
+
+
+def _round(order: ArcTask) -> Lie:
+    """Return how an eccentric lies: the follower begins where it is at its lowest, opposite the centre."""
+    if not order.base > 0.0:
+        says = said(
+            "the shaft stands outside the disc: take an eccentricity less than {most:g} mm",
+            most=1000.0 * order.nose,
+        )
+        raise TaskError(ASKED.section, "eccentricity", says)
+    _refuse_follower(order)
+    lowest, centre = 1j * (order.base + order.roller), -1j * order.distance
+    begin = _angle(order, lowest, 1j)
+    if order.follower != FLAT:
+        spots = centre + (lowest - centre) * np.exp(2j * np.pi * np.linspace(0.0, 1.0, 2 * PROBES))
+        turned = [(_angle(order, complex(z), 1j) - begin) % TURN for z in spots[1:-1]]
+        _refuse_turning_back(order, [0.0, *turned, TURN])
+    return Lie((begin, begin, begin + TURN, begin + TURN))
 
 
 def normals(order: ArcTask, flank: Flank, side: int) -> tuple[complex, complex]:
@@ -210,16 +238,19 @@ def _refuse_follower(order: ArcTask) -> None:
 
 def _refuse_order(order: ArcTask, angles: tuple[float, ...], centres: tuple[complex, ...]) -> None:
     """Refuse a follower that does not go from arc to arc in their order, or turns back on one of them."""
-    runs = [(0.0, *angles, TURN)]
-    runs.append(tuple(_along(order, centres)))
-    for run in runs:
-        if any(b < a - SAME for a, b in pairwise(run)):
-            says = said(
-                "the follower does not stay on the cam all the way round: take a smaller offset, a longer "
-                "lever or another roller"
-            )
-            key = "lever" if order.follower == ROCKER else "offset"
-            raise TaskError(ASKED.section, key, says)
+    _refuse_turning_back(order, (0.0, *angles, TURN))
+    _refuse_turning_back(order, _along(order, centres))
+
+
+def _refuse_turning_back(order: ArcTask, run: Sequence[float]) -> None:
+    """Refuse a follower whose angles (degrees), met in turn, do not grow."""
+    if any(b < a - SAME for a, b in pairwise(run)):
+        says = said(
+            "the follower does not stay on the cam all the way round: take a smaller offset, a longer "
+            "lever or another roller"
+        )
+        key = "lever" if order.follower == ROCKER else "offset"
+        raise TaskError(ASKED.section, key, says)
 
 
 def _along(order: ArcTask, centres: tuple[complex, ...]) -> list[float]:

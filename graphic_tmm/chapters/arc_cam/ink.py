@@ -101,8 +101,12 @@ def from_to(pen: str, centre: complex, start: complex, end: complex, sense: int)
 
 
 def _contour(ink: _Ink) -> Iterator[Ink]:
-    """The contour: base circle, flanks, nose, each from where it touches the one before."""
+    """The contour: base circle, flanks, nose, each from where it touches the one before; or one circle."""
     contour, sense = ink.made.contour, -ink.made.sense
+    if ink.made.order.eccentric:
+        nose = contour.arcs["nose"]
+        yield from _whole(ink, nose, nose.radius, "main", "contour")
+        return
     spots = [ink.fixed_place(mark) for mark in contour.touches]
     ends = {"base": (3, 0), "rise": (0, 1), "nose": (1, 2), "return": (2, 3)}
     for name, (start, end) in ends.items():
@@ -114,6 +118,14 @@ def _contour(ink: _Ink) -> Iterator[Ink]:
         turned = -sense if one.hollow else sense
         made = from_to("main", ink.fixed_place(one.centre), spots[start], spots[end], turned)
         yield from body(made, "contour", [one.centre, *of])
+
+
+def _whole(ink: _Ink, one: Arc, radius: Mark | None, pen: str, part: str) -> Iterator[Ink]:
+    """The whole circle about the centre of an arc."""
+    assert one.centre is not None
+    assert radius is not None
+    made = [circle(pen, ink.fixed_place(one.centre), ink.fixed_number(radius))]
+    yield from body(made, part, [one.centre, radius])
 
 
 def _ways(ink: _Ink) -> Iterator[Ink]:
@@ -135,6 +147,9 @@ def _ways(ink: _Ink) -> Iterator[Ink]:
 def _pitch(ink: _Ink) -> Iterator[Ink]:
     """The path of the roller's centre: each arc goes on from where the one before it ended."""
     contour, sense = ink.made.contour, -ink.made.sense
+    if ink.made.order.eccentric:
+        yield from _whole(ink, contour.arcs["nose"], contour.arcs["nose"].reach, "medium", "path")
+        return
     touches = [ink.fixed_place(mark) for mark in contour.touches]
     flanks = [contour.arcs[name] for name in ("rise", "rise", "return", "return")]
     low = [touches[0], touches[0], touches[3], touches[3]]
@@ -259,7 +274,7 @@ def _radius(ink: _Ink, name: str) -> _Radius:
     ends = {"base": (3, 0), "rise": (0, 1), "nose": (1, 2), "return": (2, 3)}[name]
     start, end = (spots[k] - ink.fixed_place(one.centre) for k in ends)
     radius, turned = abs(start), ink.made.sense if one.hollow else -ink.made.sense
-    whole = (turned * cmath.phase(end / start)) % (2 * math.pi)
+    whole = (turned * cmath.phase(end / start)) % (2 * math.pi) or 2 * math.pi
     share = 0.5 if name == "base" else AT
     out = start / radius * cmath.exp(1j * turned * share * whole)
     spot, inside = ink.fixed_place(one.centre) + radius * out, radius >= ROOMY

@@ -118,6 +118,8 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
             bars[name] = plans.bars(made.contour.arcs[name], at)
             velocities[name] = plans.velocities(bars[name], str(k + 1))
     spans = {name: (changes[ARCS.index(name)], changes[ARCS.index(name) + 1]) for name in bars}
+    if made.lie.whole:
+        spans = dict.fromkeys(bars, (-np.inf, np.inf))
     pick = {
         by: {name: _between(shares + by, *span) for name, span in spans.items()}
         for by in (-SAME, SAME)

@@ -31,6 +31,10 @@ CIRCLES = said(
 TANGENTS = said(
     "A straight flank is the common tangent of base circle and nose. The sizes on the drawing are:"
 )
+ROUND = said(
+    "The contour is one circle, an eccentric: the roller's centre goes along a circle about the same centre. "
+    "The sizes on the drawing are:"
+)
 ROLLER_STEPS = (
     said(
         "the cam stands, and the frame is turned round it the other way: the rod's line is drawn for every "
@@ -137,7 +141,7 @@ class ArcCamPage(Page[ArcCam]):
         contour, *graphs = [one for one in self.pictures if one not in plans]
         yield self.head(CONTOUR)
         straight = order.rise.radius is None and order.fall.radius is None
-        yield self.says(TANGENTS if straight else CIRCLES)
+        yield self.says(ROUND if order.eccentric else TANGENTS if straight else CIRCLES)
         yield from self.formulas(VIEW, to_board)
         yield from self.formulas(VIEW, f.inside, f.outside)
         yield from self.leads(self.figures(contour))

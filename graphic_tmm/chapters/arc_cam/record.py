@@ -80,8 +80,8 @@ def _centres(draft: Draft, contour: Contour) -> dict[str, tuple[Mark, Mark]]:
     """Read how far the centres of the flanks stand from those of the cam and of the nose."""
     found = {}
     for number, name in (("1", "rise"), ("2", "return")):
-        centre = contour.arcs[name].centre
-        if centre is not None:
+        arc = contour.arcs.get(name)
+        if arc is not None and (centre := arc.centre) is not None:
             lengths = [
                 draft.draw(measure, f"{one.name}F_{number}", one, centre, why=why.CENTRE)
                 for one in (contour.origin, contour.nose)

@@ -97,16 +97,20 @@ def _touches(order: ArcTask) -> tuple[complex, complex, complex, complex]:
 
 def _contour(cam: _Placed) -> Iterator[Part]:
     """Yield the contour, its base circle in full, centre lines, the shaft, the sense of turning."""
-    order, spots = cam.order, [cam.spot(one) for one in _touches(cam.order)]
+    order = cam.order
     nose, base = cam.spot(-1j * order.distance), cam.length(order.base)
-    strokes = [
-        *from_to("main", 0j, spots[3], spots[0], cam.sense),
-        *_flank(cam, order.rise, 1, spots[0], spots[1]),
-        *from_to("main", nose, spots[1], spots[2], cam.sense),
-        *_flank(cam, order.fall, -1, spots[2], spots[3]),
-    ]
-    yield Part("contour", tuple(strokes))
-    yield Part("circle", (circle("thin", 0j, base),))
+    if order.eccentric:
+        yield Part("contour", (circle("main", nose, cam.length(order.nose)),))
+    else:
+        spots = [cam.spot(one) for one in _touches(order)]
+        strokes = [
+            *from_to("main", 0j, spots[3], spots[0], cam.sense),
+            *_flank(cam, order.rise, 1, spots[0], spots[1]),
+            *from_to("main", nose, spots[1], spots[2], cam.sense),
+            *_flank(cam, order.fall, -1, spots[2], spots[3]),
+        ]
+        yield Part("contour", tuple(strokes))
+        yield Part("circle", (circle("thin", 0j, base),))
     low = nose.imag - cam.length(order.nose) - CROSS
     lines = (
         line("centre", complex(-base - CROSS), complex(base + CROSS)),
@@ -137,6 +141,11 @@ def _sizes(cam: _Placed) -> Iterator[Part]:
     """Yield what is given: radii as arrows to their arcs, the distance of the nose's centre."""
     order, base = cam.order, cam.length(cam.order.base)
     nose, radius = cam.spot(-1j * order.distance), cam.length(order.nose)
+    if order.eccentric:
+        way = cmath.rect(1.0, math.radians(-90.0 + cam.sense * 55.0))
+        yield _radius("R", nose, nose + radius * way, 0j)
+        yield from _distance(cam, nose, radius, "e_{C}")
+        return
     yield _radius("r_{1}", 0j, base * cmath.rect(1.0, math.radians(90.0 + cam.sense * 55.0)), 0j)
     if radius > 1.0:
         way = cmath.rect(1.0, math.radians(-90.0 + cam.sense * 35.0))
@@ -153,6 +162,11 @@ def _sizes(cam: _Placed) -> Iterator[Part]:
         tip = centre + abs(ends[0] - centre) * way / abs(way)
         out = way / abs(way) * (-1.0 if flank.hollow else 1.0)
         yield _radius(letter, tip, tip, tip + 11.0 * out)
+    yield from _distance(cam, nose, base, "d")
+
+
+def _distance(cam: _Placed, nose: complex, base: float, letter: str) -> Iterator[Part]:
+    """Yield the dimension of how far a centre stands below the cam's, beside a circle of a radius."""
     x = -cam.sense * (base + ASIDE)
     ends = [complex(x, 0.0), complex(x, nose.imag)]
     lines = [
@@ -162,7 +176,7 @@ def _sizes(cam: _Placed) -> Iterator[Part]:
         *arrowhead(ends[0], 1j, pen="thin", length=3.0),
         *arrowhead(ends[1], -1j, pen="thin", length=3.0),
     ]
-    told = Wanted("d", (ends[0] + ends[1]) / 2, SIZE, 0.8, complex(-cam.sense))
+    told = Wanted(letter, (ends[0] + ends[1]) / 2, SIZE, 0.8, complex(-cam.sense))
     yield Part("dimension", tuple(lines), (told,))
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -62,12 +62,19 @@ _LEAST = v.quantity("length", Bound(0))
 
 
 def _rise(said: Said) -> Flank:
-    return Flank(said.flank if math.isfinite(said.flank) else None, said.hollow)
+    return _side(said.flank, said)
 
 
 def _return(said: Said) -> Flank:
-    radius = said.flank if said.return_flank is None else said.return_flank
-    return Flank(radius if math.isfinite(radius) else None, said.hollow)
+    return _side(said.flank if said.return_flank is None else said.return_flank, said)
+
+
+def _side(radius: float | None, said: Said) -> Flank:
+    return Flank(radius if radius is not None and math.isfinite(radius) else None, said.hollow)
+
+
+def _eccentric(said: Said) -> bool:
+    return said.radius is not None and said.eccentricity is not None
 
 
 @dataclass(frozen=True)
@@ -75,24 +82,42 @@ class ArcTask:
     """A disc cam whose contour consists of arcs: base circle, two flanks, nose.
 
     Lengths in m, drawn ones in mm. ``base`` r1; ``nose`` r2, 0 for a sharp one; ``distance`` d of the nose's
-    centre from the cam's. ``follower``: "roller" on a rod (``offset`` e, positive to the side that lessens the
-    pressure angle of the rise), "flat" face square to its rod, or a "rocker" with a roller (``lever`` l,
-    ``centres`` a; ``same_sense``: on the rise it turns as the cam does). ``roller`` r: 0 for an edge. The
-    angle of the cam is counted from where the follower begins to rise; that over which it moves is divided into
+    centre from the cam's. An ``eccentric`` is a nose all round: one circle about its centre, which the base
+    circle touches from inside. ``follower``: "roller" on a rod (``offset`` e, positive to the side that lessens
+    the pressure angle of the rise), "flat" face square to its rod, or a "rocker" with a roller (``lever`` l,
+    ``centres`` a; ``same_sense``: on the rise it turns as the cam does). ``roller`` r: 0 for an edge. The angle
+    of the cam is counted from where the follower begins to rise; that over which it moves is divided into
     ``parts``. ``accelerations``: positions whose plans of the replacing linkage are drawn. ``length``: of the
     diagrams' base; ``mu_l`` of the contour (m/mm), if not a standard one. ``speed``: of the cam (1/s), if
     velocities and accelerations are wanted.
     """
 
-    base: float = key(v.POSITIVE_LENGTH, "the radius of the base circle", "20 mm")
-    distance: float = key(
-        v.POSITIVE_LENGTH, "how far the nose's centre stands from the cam's", "22 mm"
+    base: float = combined_key(
+        lambda said: said.radius - said.eccentricity if _eccentric(said) else said.base,
+        base=key(v.POSITIVE_LENGTH, "the radius of the base circle", "20 mm", None),
+        radius=key(v.POSITIVE_LENGTH, "of an eccentric, one circle: its radius", "30 mm", None),
     )
-    nose: float = key(_LEAST, "the radius of the nose; 0 for a sharp one", "6 mm", 0.0)
+    distance: float = combined_key(
+        lambda said: said.eccentricity if _eccentric(said) else said.distance,
+        distance=key(
+            v.POSITIVE_LENGTH, "how far the nose's centre stands from the cam's", "22 mm", None
+        ),
+        eccentricity=key(
+            v.POSITIVE_LENGTH,
+            "of an eccentric: how far its centre stands from the shaft's",
+            "8 mm",
+            None,
+        ),
+    )
+    nose: float = combined_key(
+        lambda said: said.radius if _eccentric(said) else said.nose,
+        0.0,
+        nose=key(_LEAST, "the radius of the nose; 0 for a sharp one", "6 mm", 0.0),
+    )
     rise: Flank = combined_key(
         _rise,
         Flank(None),
-        flank=key(_FLANK, 'the radius of the flanks, or "straight"', "60 mm"),
+        flank=key(_FLANK, 'the radius of the flanks, or "straight"', "60 mm", None),
         hollow=key(v.SWITCH, "whether the flanks are hollow: for rollers only", True, False),
     )
     fall: Flank = combined_key(
@@ -140,24 +165,26 @@ class ArcTask:
     speed: float | None = key(
         v.SPEED, "how fast the cam turns, if the follower's speeds are wanted", "600 rpm", None
     )
+    eccentric: bool = combined_key(_eccentric, False)
 
 
 ASKED: SectionKey[ArcTask] = SectionKey("arc_cam")
 
 
 def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
-    """Every contradiction of the section: keys of another follower, sizes that are missing."""
-    at = ASKED.section
+    """Every contradiction of the section: keys of another cam or follower, what is missing, positions."""
+    at, told = ASKED.section, parts.doc[ASKED.section]
+    yield from _sizes(cam, told)
     for name in ("lever", "centres"):
         if cam.follower == ROCKER and getattr(cam, name) is None:
             yield Flaw((at, name), said('a rocker needs it; write, for example, "80 mm"'))
-        if cam.follower != ROCKER and getattr(cam, name) is not None:
-            says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
-            yield Flaw((at, name), says)
-    for name, follower in (("offset", ROLLER), ("sense", ROCKER)):
-        if name in parts.doc[at] and cam.follower != follower:
-            says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
-            yield Flaw((at, name), says)
+    others = {"lever": ROCKER, "centres": ROCKER, "sense": ROCKER, "offset": ROLLER}
+    foreign = [name for name, own in others.items() if name in told and cam.follower != own]
+    if cam.follower == FLAT and cam.roller:
+        foreign.append("roller")
+    for name in foreign:
+        says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
+        yield Flaw((at, name), says)
     for i, name in enumerate(cam.accelerations):
         if name not in (*CHANGES, "all") and not (name.isdigit() and int(name) <= cam.parts):
             says = said(
@@ -166,9 +193,25 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
                 last=cam.parts,
             )
             yield Flaw((at, "accelerations", i), says)
-    if cam.follower == FLAT and cam.roller:
-        says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
-        yield Flaw((at, "roller"), says)
+
+
+def _sizes(cam: Said, told: Mapping[str, object]) -> Iterator[Flaw]:
+    """What is missing of a cam of arcs, or of an eccentric, and what an eccentric does not have."""
+    of_arcs, needed = ["base", "distance", "flank"], ["radius", "eccentricity"]
+    if not told.keys() & {*needed}:
+        needed = of_arcs
+    else:
+        for name in (*of_arcs, "nose", "return_flank", "hollow"):
+            if name in told:
+                says = said("an eccentric is one circle and has none; leave it out")
+                yield Flaw((ASKED.section, name), says)
+    for name in needed:
+        if name not in told:
+            says = said(
+                "it is missing: a cam of arcs needs base, distance and flank, an eccentric radius and "
+                "eccentricity"
+            )
+            yield Flaw((ASKED.section, name), says)
 
 
 SECTIONS = (

@@ -17,6 +17,11 @@ def given(scene: Scene) -> Iterator[Given]:
     order = ASKED.of(scene)
     if order is None:
         return
+    if order.eccentric:
+        yield Given("R", order.nose, SIZE)
+        yield Given("e_C", order.distance, SIZE)
+        yield from _follower(order)
+        return
     yield Given("r_1", order.base, SIZE)
     yield Given("r_2", order.nose, SIZE)
     yield Given("d", order.distance, SIZE)
@@ -28,8 +33,6 @@ def given(scene: Scene) -> Iterator[Given]:
     if order.rise.hollow:
         yield Given("given flank", "given hollow")
     yield from _follower(order)
-    if order.speed is not None:
-        yield given_speed("1", order.speed)
 
 
 def _flank(name: str, letter: str, flank: Flank) -> Given:
@@ -39,6 +42,12 @@ def _flank(name: str, letter: str, flank: Flank) -> Given:
 
 
 def _follower(order: ArcTask) -> Iterator[Given]:
+    yield from _what_follows(order)
+    if order.speed is not None:
+        yield given_speed("1", order.speed)
+
+
+def _what_follows(order: ArcTask) -> Iterator[Given]:
     if order.follower == FLAT:
         yield Given("given follower", "given face")
         return

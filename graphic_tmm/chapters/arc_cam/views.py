@@ -49,6 +49,8 @@ def arc_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def _contour(drawn: Drawn, made: ArcCam, lettered: bool) -> Drawing:
     language, order = drawn.scene.language, made.order
     sizes = {"base": ("r_{1}", order.base), "nose": ("r_{2}", order.nose)}
+    if order.eccentric:
+        sizes = {"nose": ("R", order.nose)}
     if order.rise.radius is not None:
         sizes["rise"] = ("r_{3}", order.rise.radius)
     if order.fall.radius is not None and order.fall != order.rise:

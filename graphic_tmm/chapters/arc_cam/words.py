@@ -63,6 +63,8 @@ SYMBOLS = (
     ("r_1", said("radius of the base circle"), "m"),
     ("r_2", said("radius of the nose"), "m"),
     ("d", said("distance of the nose's centre"), "m"),
+    ("R", said("radius of the eccentric"), "m"),
+    ("e_C", said("eccentricity"), "m"),
     ("S′_P", said("dS/dφ by the instant centre"), "m"),
     ("S′_K", said("dS/dφ by the replacing linkage"), "m"),
     ("ΔS′", said("by how much dS/dφ by chords differs from that"), "m"),
@@ -85,6 +87,10 @@ WORDS = Named(
 NOSE = said(
     "The nose's centre stands at its distance from the cam's; the cam stands so that the follower begins to "
     "rise upright."
+)
+OPPOSITE = said(
+    "The follower of an eccentric is at its lowest opposite the disc's centre, whose edge is nearest to the "
+    "shaft there."
 )
 FIRST = said(
     "There the follower begins to rise, or comes to rest: base circle and flank touch where it touches them."
