@@ -49,7 +49,12 @@ class Attachment:
 
     def attach(self, group: Group) -> list[int]:
         """Put a group to what is there; return its links, the rod of a cylinder behind it."""
-        links = [number for leg in group.legs for number in (leg.link, *self._rod(leg.link))]
+        return self.stand(
+            [number for leg in group.legs for number in (leg.link, *self._rod(leg.link))]
+        )
+
+    def stand(self, links: list[int]) -> list[int]:
+        """Count links to what is there; return them."""
         self.left -= set(links)
         self.bodies |= {number: self.links[number] for number in links}
         self._look([met for number in links for met in self._enter(number)])

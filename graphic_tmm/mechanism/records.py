@@ -119,6 +119,30 @@ class Sweep:
         return abs((one - other + half) % self.high - half) if self.closed else abs(one - other)
 
 
+@dataclass(frozen=True)
+class Mesh:
+    """Two wheels in mesh: their links, the letters of their centres, their teeth or pitch radii (the ratio counts).
+
+    ``start``: the angle of the second link's own x axis from that of the link that joins the centres, where the
+    first one's lies along that; ``pressure``: the angle of the line of action, both in degrees.
+    """
+
+    links: tuple[int, int]
+    centres: tuple[str, str]
+    sizes: tuple[float, float]
+    toothed: bool
+    internal: bool = False
+    start: float = 0.0
+    pressure: float = 20.0
+
+    def reaches(self, apart: float) -> tuple[float, float]:
+        """Return how far the pitch point is from each centre towards the other, m; centres are ``apart``."""
+        first, second = self.sizes
+        if not self.internal:
+            return apart * first / (first + second), apart * second / (first + second)
+        return apart * first / (first - second), apart * second / (second - first)
+
+
 TURN = Sweep("φ", "°", 0.0, 360.0, True)
 """A whole turn."""
 
@@ -164,6 +188,7 @@ class Mechanism:
     """The frame, the moving links in the order of the scene, the drive and those that follow it.
 
     ``passive``: links that move with the others but count for nothing, by which nothing else is held.
+    ``meshes``: wheels on links that roll on each other.
     """
 
     frame: Link
@@ -171,6 +196,7 @@ class Mechanism:
     drive: Drive
     passive: tuple[Link, ...] = ()
     further: tuple[Drive, ...] = ()
+    meshes: tuple[Mesh, ...] = ()
     by_number: Mapping[int, Link] = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

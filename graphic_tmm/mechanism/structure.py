@@ -5,6 +5,7 @@ W = 3n − 2p5 − p4 (Chebyshev). A letter on k links makes k − 1 turning pai
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from itertools import combinations
 from typing import Any, NamedTuple
 
@@ -14,12 +15,14 @@ from graphic_tmm.mechanism.attachment import Attachment
 from graphic_tmm.mechanism.driven import Driven, driven_pairs
 from graphic_tmm.mechanism.groups import Group, Pair, class_two
 from graphic_tmm.mechanism.records import Link, Mechanism
+from graphic_tmm.mechanism.wheels import Rolling, rolling
 
 
 class Structure(NamedTuple):
     """The anatomy of a mechanism: its pairs, what is driven, groups in the order of attachment.
 
-    ``origin``: the letter of the frame from which a sheet is drawn: the pivot of the crank.
+    ``origin``: the letter of the frame from which a sheet is drawn: the pivot of the crank. ``wheels``: those
+    that roll on others, each a group of one link.
     """
 
     moving: int
@@ -27,6 +30,7 @@ class Structure(NamedTuple):
     driven: tuple[Driven, ...]
     groups: tuple[Group, ...]
     origin: str
+    wheels: tuple[Rolling, ...] = ()
 
     @property
     def first(self) -> Driven:
@@ -35,14 +39,25 @@ class Structure(NamedTuple):
 
     @property
     def mobility(self) -> int:
-        """W = 3n − 2p5."""
-        return 3 * self.moving - 2 * len(self.pairs)
+        """W = 3n − 2p5 − p4."""
+        return 3 * self.moving - 2 * len(self.pairs) - len(self.wheels)
+
+    @property
+    def attached(self) -> Iterator[Group | Rolling]:
+        """Groups and wheels in the order of attachment."""
+        groups = tuple(class_two(self.groups, "structure"))
+        for k in range(len(groups) + 1):
+            yield from (one for one in self.wheels if one.after == k)
+            yield from groups[k : k + 1]
 
     @property
     def formula(self) -> str:
         """The formula of structure, groups in order of attachment."""
         initial = ", ".join(f"I({one.name})" for one in self.driven)
-        groups = (f"II({group.name})" for group in class_two(self.groups, "formula"))
+        groups = (
+            f"II({one.name})" if isinstance(one, Group) else f"p4({one.name})"
+            for one in self.attached
+        )
         return " → ".join([initial, *groups])
 
 
@@ -51,16 +66,17 @@ class Count(NamedTuple):
 
     moving: int
     pairs: tuple[Pair, ...]
+    higher: int = 0
 
     @property
     def mobility(self) -> int:
-        """W = 3n − 2p5."""
-        return 3 * self.moving - 2 * len(self.pairs)
+        """W = 3n − 2p5 − p4."""
+        return 3 * self.moving - 2 * len(self.pairs) - self.higher
 
 
 def count(mechanism: Mechanism) -> Count:
     """Return what a mechanism has of links and pairs, whatever it lacks."""
-    return Count(len(mechanism.links), _pairs(mechanism))
+    return Count(len(mechanism.links), _pairs(mechanism), len(mechanism.meshes))
 
 
 def dissect(mechanism: Mechanism) -> Structure:
@@ -75,13 +91,19 @@ def dissect(mechanism: Mechanism) -> Structure:
     driven = driven_pairs(mechanism)
     pairs = _pairs(mechanism)
     _refuse_loose_and_double(mechanism, pairs)
-    mobility = 3 * len(mechanism.links) - 2 * len(pairs)
+    mobility = count(mechanism).mobility
     if mobility != len(driven):
         raise _unequal(mechanism, pairs, mobility)
     groups: list[Group] = []
     known = [mechanism.frame.number, *(one.link for one in driven if not one.telescopes)]
     attachment = Attachment(mechanism, known, [one for one in driven if one.telescopes])
+    wheels: list[Rolling] = []
     while attachment.left:
+        wheel = next(rolling(mechanism, known, attachment.outer, len(groups)), None)
+        if wheel is not None and wheel.link in attachment.left:
+            wheels.append(wheel)
+            known += attachment.stand([wheel.link])
+            continue
         group = attachment.next()
         if group is None:
             left = sorted(attachment.left)
@@ -104,6 +126,7 @@ def dissect(mechanism: Mechanism) -> Structure:
         driven,
         tuple(groups),
         _origin(mechanism, driven[0]),
+        tuple(wheels),
     )
 
 
@@ -129,7 +152,7 @@ def _unequal(mechanism: Mechanism, pairs: tuple[Pair, ...], mobility: int) -> St
     remedy = said("a pair is missing") if few else many
     number: dict[str, Any] = {
         "links": len(mechanism.links),
-        "p": len(pairs),
+        "p": f"{len(pairs)} − {higher}" if (higher := len(mechanism.meshes)) else len(pairs),
         "w": f"{mobility}".replace("-", "−"),
         "listed": ", ".join(_describe(pair) for pair in pairs),
     }

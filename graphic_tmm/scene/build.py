@@ -13,6 +13,7 @@ from graphic_tmm.mechanism.records import (
     Guide,
     Link,
     Mechanism,
+    Mesh,
     Row,
     Side,
     Slide,
@@ -125,7 +126,15 @@ def _mechanism(parts: Parts, frame: m.Frame, links: list[m.Link], drive: m.Drive
         drive=_drive(drive, bodies, frame),
         further=tuple(_drive(one, bodies, frame) for one in parts.further_drives),
         passive=tuple(one for one, link in zip(made, links, strict=True) if link.passive),
+        meshes=tuple(_mesh(one) for one in parts.meshes if one is not None),
     )
+
+
+def _mesh(mesh: m.Mesh) -> Mesh:
+    """Return two wheels in mesh as their mechanism has them."""
+    (first, second), (centre, other), (size, against) = mesh.links, mesh.centres, mesh.sizes
+    ends = (first, second), (centre, other), (float(size), float(against))
+    return Mesh(*ends, bool(mesh.teeth), mesh.internal, mesh.phase, mesh.alpha)
 
 
 def _drive(

@@ -20,6 +20,7 @@ from graphic_tmm.scene.declare import Flaw, Path, Said, Section, build
 from graphic_tmm.scene.document import as_table
 from graphic_tmm.scene.drive_checks import end_faults, motion_faults
 from graphic_tmm.scene.mechanism import Drive, Extreme, FurtherDrive, Link, Slide
+from graphic_tmm.scene.meshes import mesh_faults
 from graphic_tmm.scene.passive import passive_faults
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.registry import called, of_section, sections
@@ -46,6 +47,7 @@ def contradictions(parts: Parts) -> Iterator[Flaw]:
             yield from _sense(at, slide, parts)
     yield from weld_faults(parts)
     yield from passive_faults(parts)
+    yield from mesh_faults(parts)
     plans, scales = parts.said["plans"], parts.said["scales"]
     if parts.drive is not None:
         yield from _row(parts.drive, [*parts.names.moving])

@@ -202,6 +202,48 @@ class Link:
 
 
 @dataclass(frozen=True)
+class Mesh:
+    """Two wheels in mesh; each belongs to a link and turns about one of its letters."""
+
+    links: tuple[int, ...] = key(
+        Several(v.LINK_NUMBER, said("write both links, [1, 4]")),
+        "the numbers of the two links that bear the wheels; the frame may be one",
+        [1, 4],
+    )
+    centres: tuple[str, ...] = key(
+        v.LETTERS,
+        "the letters about which they turn, in the same order: one link (the frame, an arm) has both",
+        ["O", "D"],
+    )
+    teeth: tuple[int, ...] = key(
+        Several(v.number(Bound(3, 10_000, whole=True)), said("write both numbers, [20, 40]")),
+        "their teeth, in the same order",
+        [20, 40],
+        (),
+    )
+    radii: tuple[float, ...] = key(
+        Several(v.POSITIVE_LENGTH, said('write both radii, ["50 mm", "100 mm"]')),
+        "in place of teeth: their pitch radii",
+        ["50 mm", "100 mm"],
+        (),
+    )
+    internal: bool = key(v.SWITCH, "one wheel, the larger, has its teeth inside", True, False)
+    phase: float = key(
+        v.ANGLE,
+        "the angle of the second link's own x axis from that of the link with both centres, where the first "
+        "one's lies along that",
+        "60 deg",
+        0.0,
+    )
+    alpha: float = key(v.RACK, "the pressure angle, at which the teeth press", "20 deg", 20.0)
+
+    @property
+    def sizes(self) -> tuple[float, ...]:
+        """Teeth, or else pitch radii, m."""
+        return self.teeth or self.radii
+
+
+@dataclass(frozen=True)
 class Task:
     """A task that gives the lengths of a mechanism."""
 

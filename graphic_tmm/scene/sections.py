@@ -30,6 +30,7 @@ FIRST = (
     Section("frame", mechanism.Frame, "the fixed link", always=True),
     Section("joints", mechanism.Joints, "joints of links in one position, by which links are told"),
     Section("link", mechanism.Link, "the moving links, in order", several=True),
+    Section("mesh", mechanism.Mesh, "wheels on links, two in mesh each", several=True),
     Section(
         "drive", mechanism.Drive, "the driving link and its motion", further=mechanism.FurtherDrive
     ),
@@ -97,6 +98,12 @@ class Parts:
     def drive(self) -> mechanism.Drive | None:
         """The driving link and its motion."""
         found: mechanism.Drive | None = self.record("drive")
+        return found
+
+    @cached_property
+    def meshes(self) -> list[mechanism.Mesh | None]:
+        """The wheels in mesh, two by two."""
+        found: list[mechanism.Mesh | None] = self.record("mesh")
         return found
 
     @cached_property

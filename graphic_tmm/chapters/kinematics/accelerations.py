@@ -22,9 +22,9 @@ from graphic_tmm.chapters.kinematics.bodies import (
     Closing,
     ClosingLeg,
     GuideLeg,
+    Meshed,
     PinLeg,
     Positions,
-    dyads,
     unheld,
 )
 from graphic_tmm.chapters.kinematics.drives import driven
@@ -34,11 +34,13 @@ from graphic_tmm.chapters.kinematics.motion import (
     component,
     hang_group,
     hang_passive,
+    hang_wheel,
     known_image,
     measure_absolute,
     passive_legs,
     pivot_image,
 )
+from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 
@@ -64,14 +66,33 @@ def draw_accelerations(
             pair.hold(positions, plan)
         else:
             pair.acceleration(draft, positions, velocities, plan)
-    for closing in dyads(positions.closings, VIEW):
-        _group(draft, positions, velocities, plan, closing)
+    for one in attached(positions, VIEW):
+        if isinstance(one, Meshed):
+            _wheel(draft, positions, velocities, plan, one)
+        else:
+            _group(draft, positions, velocities, plan, one)
     hang_passive(positions, plan)
     for leg, _, point in passive_legs(positions, plan):
         line = _tangential_line(draft, velocities, plan, point.letter, leg)
         _read_tangential(draft, plan, leg, point, line)
     measure_absolute(draft, plan, positions)
     return plan
+
+
+def _wheel(
+    draft: Draft, positions: Positions, velocities: Motion, plan: Motion, wheel: Meshed
+) -> None:
+    """Draw the pitch point of a wheel: over that of the other along the line of centres, about its own centre."""
+    draft.say(f"p4({wheel.rolling.name})")
+    on, leg = wheel.rolling.on, wheel.leg
+    letter = f"{wheel.letter}{leg.link}"
+    start = plan.images.of(on, wheel.pitch, wheel.rolling.letter, f"{wheel.letter}{on}")
+    across = _tangential_line(draft, velocities, plan, letter, leg)
+    name = f"({between(start, letter)})"
+    along = draft.draw(parallel, name, start, leg.line, sense=1, why=why.ROLLING_APART)
+    point = draft.draw(meet, letter, along, across, free=True, why=why.BOTH_EQUATIONS)
+    _read_tangential(draft, plan, leg, point, across)
+    hang_wheel(positions, plan, wheel, pivot_image(plan, leg), point)
 
 
 def _group(

@@ -22,6 +22,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import Group, Pair, class_two
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Arm, Link, Slide
+from graphic_tmm.mechanism.wheels import Rolling
 
 
 @dataclass
@@ -149,12 +150,26 @@ class Passive(NamedTuple):
     slide: Slide | None
 
 
+class Meshed(NamedTuple):
+    """A wheel as drawn: how it rolls, its leg from its centre to the pitch point, that point, its own angle."""
+
+    rolling: Rolling
+    leg: PinLeg
+    pitch: Mark
+    angle: Mark
+
+    @property
+    def letter(self) -> str:
+        """The letter of the image of the pitch point."""
+        return self.rolling.letter.lower()
+
+
 @dataclass(frozen=True)
 class Positions:
     """The plan of positions as drawn: bodies by number, groups' closings, the side marks of the groups.
 
     ``row``: where each drive stands, the one that makes the row first. ``passive``: the passive links, last in
-    ``bodies``.
+    ``bodies``. ``wheels``: those that roll on others.
     """
 
     bodies: dict[int, Body]
@@ -162,6 +177,7 @@ class Positions:
     sides: dict[str, Mark]
     row: tuple[Mark, ...]
     passive: tuple[Passive, ...] = ()
+    wheels: tuple[Meshed, ...] = ()
 
     def point(self, letter: str) -> Mark:
         """Return the mark of a letter, on whichever link it stands."""

@@ -302,6 +302,17 @@ class LinksInk:
                 made += body(ties, "centre", [*self.marks(name), *figure.marks], index)
         return made
 
+    def wheels(self, names: Sequence[str], index: int) -> Iterator[Ink]:
+        """Yield the pitch circles of wheels, and the points in which they touch."""
+        known = set[Mark]()
+        for figure in (one for name in names for one in self.of(name, "wheel")):
+            first = figure.marks[1] not in known
+            known.add(figure.marks[1])
+            centre, pitch = (self.at(mark, index) for mark in figure.marks)
+            pitched = circle("centre", centre, abs(pitch - centre))
+            touching = [circle("main", pitch, POINT_RADIUS, filled=True)] if first else []
+            yield from body([pitched, *touching], "wheel", figure.marks, index)
+
     def guides(self) -> list[Ink]:
         """Return the guides of the frame, over the travel of their sliders, hatched on the far side."""
         made = list[Ink]()

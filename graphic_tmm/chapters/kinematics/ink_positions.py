@@ -210,7 +210,8 @@ class PositionsInk(LinksInk):
 
     def heavy(self, index: int) -> list[Ink]:
         """The whole mechanism in one position: links, what slides, pivots."""
-        strokes = [s for name in self.names for s in self.lines(name, index, MAIN)]
+        strokes = [*self.wheels((self.frame.name, *self.names), index)]
+        strokes += [s for name in self.names for s in self.lines(name, index, MAIN)]
         return [*strokes, *self.symbols(self.names, index), *self.pivots()]
 
     def thin(self, index: int, pens: tuple[str, str] = THIN) -> list[Ink]:
@@ -308,7 +309,7 @@ class PositionsInk(LinksInk):
 
     def letters(self, names: Sequence[str], main: int, size: float = 5.0) -> list[Wanted]:
         """The letters of links in the main position; points at one place share a label."""
-        told = [f for name in names for f in self.of(name, "frame", "link", "centre")]
+        told = [f for name in names for f in self.of(name, "frame", "link", "centre", "wheel")]
         marks = dict.fromkeys(mark for one in told for mark in one.marks)
         spots = (Named(self.at(m, main), markup(m.name), (m.slot,), main) for m in marks)
         return lettered(shared(spots), size, PAIR)

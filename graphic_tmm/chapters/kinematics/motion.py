@@ -23,6 +23,7 @@ from graphic_tmm.chapters.kinematics.bodies import (
     Closing,
     ClosingLeg,
     GuideLeg,
+    Meshed,
     PinLeg,
     Positions,
     outer_guides,
@@ -252,6 +253,17 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
             known[closing.letter] = hanging.image if hanging.anchor == closing.point else point
         plan.images.hang(body, hanging, known)
         plan.images.complete(body)
+
+
+def hang_wheel(
+    positions: Positions, plan: Motion, wheel: Meshed, centre: Mark, image: Mark
+) -> None:
+    """Enter the link of a wheel into the plan's images, by its centre's and the pitch point's as a point of it."""
+    leg, body = wheel.leg, positions.bodies[wheel.rolling.link]
+    base = Base(leg.pivot, wheel.pitch, centre, image)
+    known = {leg.letter: centre, wheel.rolling.letter: image}
+    plan.images.hang(body, Hanging(leg.pivot, centre, base), known)
+    plan.images.complete(body)
 
 
 def hold(plan: Motion, body: Body) -> None:

@@ -185,7 +185,7 @@ def record(bench: Bench) -> KinematicPlans:
         numbered.names, (_within(tried.sweep, a) for a in np.ravel(values)), row.count, tried.sweep
     )
     at = follow(draft, tried.pairs, tried.zero, numbered.at)
-    positions = draw_positions(draft, mechanism, structure, frame, at)
+    positions = draw_positions(draft, mechanism, structure, frame, at, tried.wound)
     if scene.trajectories and tried.returning_late:
         raise StructureError(
             said(
@@ -196,7 +196,7 @@ def record(bench: Bench) -> KinematicPlans:
             "plans.trajectories",
             head="trajectories",
         )
-    closes = closed(row, tried.pairs)
+    closes = closed(row, tried.pairs) and not tried.rolls_on
     number, in_turn = mechanism.frame.number, row.count // turns
     _draw_trajectories(draft, positions, number, scene.trajectories, in_turn, closed=closes)
     velocities = accelerations = None

@@ -17,9 +17,11 @@ from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.dyads import Site, close
 from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
 from graphic_tmm.chapters.kinematics.passive import draw_passive
+from graphic_tmm.chapters.kinematics.wheels import Wheels, Wound
 from graphic_tmm.mechanism import records
 from graphic_tmm.mechanism.groups import Group, Pair, untreated
 from graphic_tmm.mechanism.structure import Structure
+from graphic_tmm.mechanism.wheels import Rolling
 
 VIEW = "positions"
 
@@ -59,22 +61,32 @@ def draw_positions(
     structure: Structure,
     frame: Body,
     row: Sequence[Mark],
+    wound: Wound | None = None,
 ) -> Positions:
-    """Draw what is driven and the groups one after another; ``row``: where each drive stands."""
+    """Draw what is driven and the groups one after another; ``row``: where each drive stands.
+
+    ``wound``: how angles go on that wheels roll by.
+    """
     draft.open(VIEW)
     bodies = {frame.link.number: frame}
+    wheels = Wheels(draft, mechanism, bodies, wound)
     lengths = dict[int, Mark]()
     for pair, at in zip(driven(mechanism, structure), row, strict=True):
         pair.stand(draft, bodies, at)
+        wheels.drive(pair, at)
         if pair.driven.telescopes:
             lengths[pair.link] = at
         else:
             tell_link(draft, mechanism, bodies[pair.link])
     links = (frame.link, *mechanism.drawn)
     letters = frozenset(letter for link in links for letter in link.points)
-    sides: dict[str, Mark] = {}
-    closings = []
-    for group in structure.groups:
+    sides, closings = wheels.sides, wheels.closings
+    for group in structure.attached:
+        if isinstance(group, Rolling):
+            draft.say(f"p4({group.name})")
+            wheels.stand(group)
+            tell_link(draft, mechanism, bodies[group.link])
+            continue
         draft.say(f"II({group.name})")
         sides |= _take_side(draft, mechanism, group)
         first, second = (mechanism.by_number[leg.link] for leg in group.legs)
@@ -89,7 +101,8 @@ def draw_positions(
             draw_points(draft, body, anchor(body))
         tell_group(draft, mechanism, bodies, closing, site.side)
     passive = draw_passive(draft, mechanism, bodies)
-    return Positions(bodies, tuple(closings), sides, tuple(row), passive)
+    drawn = tuple(wheels.drawn)
+    return Positions(bodies, tuple(closings), sides, tuple(row), passive, drawn)
 
 
 def side_record(mechanism: records.Mechanism, group: Group) -> records.Side | None:

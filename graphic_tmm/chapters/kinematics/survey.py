@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -31,14 +32,17 @@ from graphic_tmm.chapters.kinematics.positions import (
 )
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
+from graphic_tmm.chapters.kinematics.wheels import Wheels, Winding
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import class_two
-from graphic_tmm.mechanism.records import Mechanism, Sweep
-from graphic_tmm.mechanism.structure import Structure
+from graphic_tmm.mechanism.records import TURN, Mechanism, Sweep
+from graphic_tmm.mechanism.structure import Structure, dissect
 
 STEPS = 1440
 """So many places are tried: every quarter of a degree of a turn."""
+WHOLE = 1e-9
+"""A number of turns that is off a whole one by no more than this is that, rounded."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +57,7 @@ class Survey:
     velocities: Motion
     axes: dict[tuple[str, str], Mark]
     zero: float = 0.0
+    windings: Mapping[int, Winding] = field(default_factory=dict)
 
     @property
     def returning_late(self) -> tuple[str, ...]:
@@ -72,10 +77,22 @@ class Survey:
         Where others follow a crank, a turn from the zero position on does not end where it began.
         """
         first, *others = self.pairs
-        if not others or not first.sweep.closed:
+        if not first.sweep.closed or not (others or self.rolls_on):
             return first.sweep
         end = self.zero + first.drive.sense * first.sweep.high
         return replace(first.sweep, low=min(self.zero, end), high=max(self.zero, end), closed=False)
+
+    def wound(self, number: int, wheels: Wheels) -> Winding:
+        """Return how the angle of a link goes on, as it was found out."""
+        return self.windings[number]
+
+    @cached_property
+    def rolls_on(self) -> bool:
+        """Whether a wheel is not back where it was after a turn of the drive: its ratio is no whole number."""
+        wheels, sweep = self.positions.wheels, self.pairs[0].sweep
+        reading = self.at(np.array([[sweep.low, sweep.high]]), [one.angle for one in wheels])
+        turns = [float(np.diff(reading[one.angle])[0, 0]) / TURN.high for one in wheels]
+        return any(abs(turn - round(turn)) > WHOLE for turn in turns if np.isfinite(turn))
 
     @property
     def step(self) -> float:
@@ -115,7 +132,13 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
     row = follow(draft, driven(mechanism, structure), zero)
-    positions = draw_positions(draft, mechanism, structure, frame, row)
+    windings: dict[int, Winding] = {}
+
+    def wound(number: int, wheels: Wheels) -> Winding:
+        windings[number] = winding(wheels, number)
+        return windings[number]
+
+    positions = draw_positions(draft, mechanism, structure, frame, row, wound)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
     pole = velocities.images.pole
     x = draft.draw(ray, "(px)", pole, draft.direction(0.0))
@@ -130,9 +153,41 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
                 along = f"{image.letter}{name}"
                 axes[letter, name] = draft.draw(measure_along, along, pole, image, axis)
     given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
+    log = draft.board.construction()
     return Survey(
-        mechanism, structure, draft.board.construction(), given, positions, velocities, axes, zero
+        mechanism, structure, log, given, positions, velocities, axes, zero, windings
     )
+
+
+def winding(wheels: Wheels, number: int) -> Winding:
+    """Return how the angle of a link goes on while the drive goes through all that it can, by trying.
+
+    Its turns are counted; without them it swings about a middle, by less than half a turn to either side.
+    """
+    draft, mechanism = wheels.draft, wheels.mechanism
+    axis, row = wheels.bodies[number].axis, wheels.row[0]
+    sweep = driven(mechanism, dissect(mechanism))[0].sweep
+    way = np.linspace(sweep.low, sweep.high, STEPS + 1)[None, :]
+    given = draft.given | {draft.mu_l: 1.0, row: way} | standing(wheels, way)
+    along = execute(draft.board.construction(), given, [axis])[axis].along
+    along = np.broadcast_to(along, way.shape)[0]
+    there = np.isfinite(along)
+    if not there.any():
+        return Winding(0.0, 0.0)
+    angles = np.degrees(np.unwrap(np.angle(along[there])))
+    turns = round(float(angles[-1] - angles[0]) / TURN.high) if sweep.closed and there.all() else 0
+    swings = angles - turns * way[0][there]
+    if np.ptp(swings) >= TURN.high:
+        raise StructureError(
+            said(
+                "a wheel rolls by the angle of link {number}, which swings by more than a whole turn and back: "
+                "this board cannot follow it",
+                number=number,
+            ),
+            f"link {number}",
+            head="mesh",
+        )
+    return Winding(float(turns), round(float(swings.max() + swings.min()) / 2.0, 1))
 
 
 def _steady(mechanism: Mechanism, structure: Structure) -> tuple[Mechanism, Structure]:

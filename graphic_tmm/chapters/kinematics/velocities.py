@@ -9,7 +9,7 @@ from __future__ import annotations
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import rate, to_board
-from graphic_tmm.board.operations.instruments import lay_off, measure_along, meet
+from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along, meet
 from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics import words as why
@@ -17,9 +17,9 @@ from graphic_tmm.chapters.kinematics.bodies import (
     Closing,
     ClosingLeg,
     GuideLeg,
+    Meshed,
     PinLeg,
     Positions,
-    dyads,
     unheld,
 )
 from graphic_tmm.chapters.kinematics.drives import driven
@@ -29,12 +29,15 @@ from graphic_tmm.chapters.kinematics.motion import (
     component,
     hang_group,
     hang_passive,
+    hang_wheel,
     hold,
     known_image,
     measure_absolute,
     passive_legs,
+    pivot_image,
 )
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
+from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 
@@ -63,8 +66,11 @@ def draw_velocities(
             pair.hold(positions, plan)
         else:
             pair.velocity(positions, plan, turn)
-    for closing in dyads(positions.closings, VIEW):
-        _group(draft, positions, plan, turn, closing)
+    for one in attached(positions, VIEW):
+        if isinstance(one, Meshed):
+            _wheel(draft, positions, plan, turn, one)
+        else:
+            _group(draft, positions, plan, turn, one)
     hang_passive(positions, plan)
     for leg, start, point in passive_legs(positions, plan):
         fixed = start == pole
@@ -72,6 +78,19 @@ def draw_velocities(
         _read(draft, plan, leg, start, point, line)
     measure_absolute(draft, plan, positions)
     return plan
+
+
+def _wheel(draft: Draft, positions: Positions, plan: Motion, turn: VelocityLines, wheel: Meshed) -> None:
+    """Read the velocity of the pitch point, common to both wheels, about the centre of the one that rolls."""
+    draft.say(f"p4({wheel.rolling.name})")
+    start, letter, pole = pivot_image(plan, wheel.leg), wheel.letter, plan.images.pole
+    image = plan.images.of(wheel.rolling.on, wheel.pitch, wheel.rolling.letter, letter)
+    if pole not in (image, start):
+        draft.draw(measure, between(pole, image.letter), pole, image, why=why.ABSOLUTE_VELOCITY)
+        plan.measured.add(image)
+    line = turn.across(f"({between(start, letter)})", start, wheel.leg.line, start == pole)
+    _read(draft, plan, wheel.leg, start, image, line)
+    hang_wheel(positions, plan, wheel, start, image)
 
 
 def _group(

@@ -210,6 +210,10 @@ RELATIVE_ALONG = said(
     "{to}, its amount is not known yet."
 )
 ACCELERATION_ALONG = said("The guide is fixed and straight, so the acceleration has its direction.")
+ROLLING_APART = said(
+    "Where the wheels roll on each other their points have the same acceleration along the common tangent: they "
+    "differ along the line of centres only, {to}."
+)
 TANGENTIAL_READ = said(
     "This segment, times the scale factor, is the tangential acceleration; its sign tells the sense of ε."
 )

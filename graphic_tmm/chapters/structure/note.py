@@ -31,6 +31,11 @@ MOVING = said(
     "The mechanism has {n} moving links and {p} pairs of class 5; it has no pairs of class 4. "
     "Its mobility by Chebyshev's formula:"
 )
+HIGHER = said(
+    "The mechanism has {n} moving links, {p} pairs of class 5 and {p4} of class 4, wheels in mesh. Its mobility "
+    "by Chebyshev's formula:"
+)
+WHEEL = said("Wheel {name}: a lower and a higher pair")
 ONE_DRIVE = said(
     "One link has to be driven: link {link}. Without it and the frame there remain groups of zero mobility."
 )
@@ -82,8 +87,11 @@ class StructurePage(Page[Structure]):
         """Yield W of the mechanism and of each part that it comes apart into, with its figure."""
         whole = self.drawn.construction.step(found.whole)
         assert whole is not None
-        n, p5, _higher = whole.uses
-        yield self.says(MOVING, n=n, p=p5)
+        n, p5, higher = whole.uses
+        if structure.wheels:
+            yield self.says(HIGHER, n=n, p=p5, p4=higher)
+        else:
+            yield self.says(MOVING, n=n, p=p5)
         yield from self.worked_out(found.whole)
         driven = structure.driven
         if len(driven) == 1:
@@ -94,10 +102,11 @@ class StructurePage(Page[Structure]):
         if rods:
             yield self.says(TELESCOPED)
         kinds = {group.name: group.kind for group in class_two(structure.groups, PARTS)}
+        others = dict.fromkeys(rods, DRIVEN_ROD) | {one.name: WHEEL for one in structure.wheels}
         titles = [
             self.sentence(GROUP, name=name, kind=kinds[name])
             if name in kinds
-            else self.sentence(DRIVEN_ROD if name in rods else DRIVEN, name=name)
+            else self.sentence(others.get(name, DRIVEN), name=name)
             for name in found.parts
         ]
         shown = zip(self.figures(*self.pictures), titles, strict=True)

@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.structure import PARTS, STRUCTURE
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import class_two
+from graphic_tmm.mechanism.groups import Group
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
@@ -37,13 +37,16 @@ class Mobility(NamedTuple):
 MOBILITY: Recorded[Mobility] = Recorded(aside("structure"))
 
 
-def parts(structure: Structure) -> dict[str, tuple[int, int]]:
-    """Return how many links and pairs each driving link and each group has, by the numbers of its links.
+def parts(structure: Structure) -> dict[str, tuple[int, int, int]]:
+    """Return how many links, lower and higher pairs each part has, by the numbers of its links.
 
-    A rod counts as a link that moves in its cylinder: both together are one link of a group.
+    A part is a driving link, or a group. A rod counts as a link that moves in its cylinder: both together are
+    one link of a group.
     """
-    found = {one.name: (1, 1) for one in structure.driven}
-    return found | {group.name: (2, 3) for group in class_two(structure.groups, STRUCTURE)}
+    found = {one.name: (1, 1, 0) for one in structure.driven}
+    return found | {
+        one.name: (2, 3, 0) if isinstance(one, Group) else (1, 1, 1) for one in structure.attached
+    }
 
 
 def record_mobility(bench: Bench) -> Mobility | None:
@@ -53,14 +56,17 @@ def record_mobility(bench: Bench) -> Mobility | None:
         return None
     structure, draft = dissect(bench.scene.mechanism), bench.draft
     draft.open(STRUCTURE)
-    higher = draft.take(Number, "p_4", 0.0)
+    none = draft.take(Number, "p_4", float(len(structure.wheels)))
+    marks = {len(structure.wheels): none}
 
-    def w(letter: str, index: str, links: int, pairs: int) -> Mark:
+    def w(letter: str, index: str, links: int, pairs: int, higher: int) -> Mark:
         n = draft.take(Number, f"n{index}", float(links))
         p5 = draft.take(Number, f"p_5{index}", float(pairs))
-        return draft.draw(mobility, letter, n, p5, higher)
+        if higher not in marks:
+            marks[higher] = draft.take(Number, "p_4", float(higher))
+        return draft.draw(mobility, letter, n, p5, marks[higher])
 
-    whole = w("W", "", structure.moving, len(structure.pairs))
+    whole = w("W", "", structure.moving, len(structure.pairs), len(structure.wheels))
     own = {name: w(f"W_{name}", "", *size) for name, size in parts(structure).items()}
     return Mobility(whole, own)
 

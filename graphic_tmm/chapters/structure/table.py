@@ -8,7 +8,7 @@ from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
 from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import Pair, class_two
+from graphic_tmm.mechanism.groups import Group, Pair
 from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Structure
@@ -82,7 +82,7 @@ def link_name(mechanism: Mechanism, structure: Structure, link: Link, language: 
 
 def pair_name(pair: Pair, mechanism: Mechanism) -> str:
     """Return a pair's letter; a guide of the frame is named y-y, one on a moving link by the stone's letter."""
-    if pair.kind == "R":
+    if pair.kind != "P":
         return pair.name
     if pair.links[1] == mechanism.frame.number:
         return f"{pair.name}-{pair.name}"
@@ -109,12 +109,18 @@ WORDS = Tongues(
         "lower": said("lower", context="pair"),
         "freedoms": said("Class, freedoms"),
         "one freedom": said("5, one"),
+        "kind K": said("wheels in mesh"),
+        "higher": said("higher", context="pair"),
+        "two freedoms": said("4, two"),
+        "K index": said("K", context="pair"),
         "index": said("Index"),
         "R index": said("R"),
         "P index": said("P", context="pair"),
         "formula": said("Formula of structure"),
         "group": said("Group {name}: class II, order 2, kind {kind}"),
         "class of group": said("Group {name}, class II"),
+        "wheel": said("Group {name}: one link, a lower and a higher pair"),
+        "class of wheel": said("Wheel {name} with its higher pair"),
         "class of link": said("Driving link {name}, class I"),
         "class of rod": said("Rod in its cylinder {name}, class I"),
         "class II": said("The mechanism is of class II: that of its highest group"),
@@ -166,6 +172,10 @@ def pair_rows(mechanism: Mechanism, structure: Structure, language: str) -> list
         index = _index(pair, mechanism, words)
         kind = words[f"kind {pair.kind}"]
         rows.append([escape(name), joined, kind, words["lower"], words["one freedom"], index])
+    for pair in (one.pair for one in structure.wheels):
+        joined = ",".join(map(str, pair.links))
+        cells = words["kind K"], words["higher"], words["two freedoms"]
+        rows.append([escape(pair.name), joined, *cells, _index(pair, mechanism, words)])
     return rows
 
 
@@ -212,9 +222,20 @@ def aside_lines(mechanism: Mechanism, structure: Structure, language: str) -> li
     for hold in holds(mechanism):
         n, p = structure.moving + 1, len(structure.pairs) + len(hold.pairs)
         pairs = ", ".join(_index(pair, mechanism, words) for pair in hold.pairs)
-        w = f"{3 * n - 2 * p}".replace("-", "−")
-        found.append(_(PASSIVE, link=hold.link.number, pairs=pairs, n=n, p=p, w=w))
+        w = f"{3 * n - 2 * p - len(structure.wheels)}".replace("-", "−")
+        told = f"{p}{_minus(len(structure.wheels))}"
+        found.append(_(PASSIVE, link=hold.link.number, pairs=pairs, n=n, p=told, w=w))
     return found
+
+
+def _minus(higher: int) -> str:
+    """Return what higher pairs take from the mobility, as it stands behind the rest; "" if there is none."""
+    return f" − {higher}" if higher else ""
+
+
+def calculated(n: int, p5: int, p4: int) -> str:
+    """Return the mobility as it is calculated, up to its value."""
+    return f"W = 3·{n} − 2·{p5}{_minus(p4)} = "
 
 
 def _index(pair: Pair, mechanism: Mechanism, words: Mapping[str, str]) -> str:
@@ -227,11 +248,14 @@ def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -
     """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
     words = WORDS[language]
     groups = [
-        words["group"].format(name=g.name, kind=g.kind)
-        for g in class_two(structure.groups, STRUCTURE)
+        words["group"].format(name=one.name, kind=one.kind)
+        if isinstance(one, Group)
+        else words["wheel"].format(name=one.name)
+        for one in structure.attached
     ]
-    n, p = structure.moving, len(structure.pairs)
-    mobility = f"n = {n}, p_5 = {p}, p_4 = 0, W = 3·{n} − 2·{p} = {structure.mobility}"
+    n, p, p4 = structure.moving, len(structure.pairs), len(structure.wheels)
+    w = f"{calculated(n, p, p4)}{structure.mobility}"
+    mobility = f"n = {n}, p_5 = {p}, p_4 = {p4}, {w}"
     highest = words["class II" if structure.groups else "class I"]
     beside = aside_lines(mechanism, structure, language)
     return (mobility, *beside, f"{words['formula']}: {structure.formula}", *groups, highest)

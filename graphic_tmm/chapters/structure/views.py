@@ -13,7 +13,13 @@ from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.structure import PARTS, STRUCTURE
 from graphic_tmm.chapters.structure.record import MOBILITY, parts
-from graphic_tmm.chapters.structure.table import WORDS, link_table, pair_table, structure_lines
+from graphic_tmm.chapters.structure.table import (
+    WORDS,
+    calculated,
+    link_table,
+    pair_table,
+    structure_lines,
+)
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
@@ -95,14 +101,16 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     words, found = WORDS[drawn.scene.language], []
     groups = {group.name: group.rods for group in class_two(structure.groups, PARTS)}
     rods = {one.name for one in structure.driven if one.telescopes}
-    for name, (n, p5) in parts(structure).items():
+    wheels = {one.name for one in structure.wheels}
+    for name, (n, p5, p4) in parts(structure).items():
         links = [int(one) for one in name.split("-")]
         kind = "group" if name in groups else "rod" if name in rods else "link"
+        kind = "wheel" if name in wheels else kind
         told = words[f"class of {kind}"].format(name=name)
         on = subject(drawn, told, PARTS, name=f"part-{name}")
         view = draw_part(on, reaches(drawn), links, groups.get(name, ()), drawn.main)
         w = drawn.reading[made.parts[name]].item()
-        line = f"W = 3·{n} − 2·{p5} = {number(w, drawn.scene.language)}"
+        line = f"{calculated(n, p5, p4)}{number(w, drawn.scene.language)}"
         found.append(with_caption(view, on, lettered, line))
     return found
 

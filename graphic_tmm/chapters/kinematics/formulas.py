@@ -1,0 +1,71 @@
+"""What is calculated of wheels on links: their ratio, the angle to which a wheel has rolled."""
+
+from __future__ import annotations
+
+from graphic_tmm.board.formula import formula
+from graphic_tmm.board.geometry import cis, degrees
+from graphic_tmm.board.grammar import ANGLE, operation
+from graphic_tmm.board.values import Angle, Line, Number
+from graphic_tmm.language.said import said
+
+
+@formula(
+    why=said(
+        "Seen from the link that joins the centres both pitch circles turn by equally long arcs, so the angles "
+        "are as the teeth (the radii) the other way round; wheels in external mesh turn in opposite senses."
+    )
+)
+def external_ratio(other: Number, own: Number) -> Number:
+    """−{other}/{own}"""
+
+
+@formula(
+    why=said(
+        "Seen from the link that joins the centres both pitch circles turn by equally long arcs, so the angles "
+        "are as the teeth (the radii) the other way round; wheels in internal mesh turn in one sense."
+    )
+)
+def internal_ratio(other: Number, own: Number) -> Number:
+    """{other}/{own}"""
+
+
+@formula(
+    why=said(
+        "The centres stand: while the other wheel turns by {turned}, this one turns by {ratio} times that from "
+        "{start}."
+    )
+)
+def rolled_by(start: Angle, ratio: Number, turned: Angle) -> Angle:
+    """{start} + {ratio}·{turned}"""
+
+
+@formula(
+    why=said(
+        "The other wheel stands. Seen from the arm it turns back by {arm}, and this one by {ratio} times that; "
+        "with the arm it goes on by {arm}."
+    )
+)
+def rolled_round(start: Angle, arm: Angle, ratio: Number) -> Angle:
+    """{start} + {arm} − {ratio}·{arm}"""
+
+
+@formula(
+    why=said(
+        "Seen from the link that joins the centres the other wheel has turned by {turned} − {arm}, and this one "
+        "by {ratio} times that; with that link it goes on by {arm}."
+    )
+)
+def rolled_between(start: Angle, arm: Angle, ratio: Number, turned: Angle) -> Angle:
+    """{start} + {arm} + {ratio}·({turned} − {arm})"""
+
+
+@operation(
+    symbol=ANGLE,
+    why=said(
+        "How far a wheel rolls depends on whole turns, too: of the angles at which {line} is drawn the one "
+        "counted on without a leap is taken."
+    ),
+)
+def bearing_near(line: Line, near: Angle) -> Angle:
+    """Find the angle of {line} from the x axis, that next to {near}."""
+    return Angle(near + degrees(line.along * cis(-near)))

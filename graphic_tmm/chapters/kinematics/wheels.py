@@ -1,0 +1,178 @@
+"""Wheels on links on the plan of positions: the pitch point on the line of centres, the angle of the wheel.
+
+A wheel's angle goes on from turn to turn, so those of the links that it rolls by are counted without a leap, too:
+that of a crank is given, those of others are read next to an angle which goes round as they do (`Winding`).
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable, Iterator
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import angle_by_angle
+from graphic_tmm.board.operations.instruments import join, lay_off, parallel, ray
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    Closing,
+    Meshed,
+    PinLeg,
+    Positions,
+    anchor,
+    draw_points,
+    dyads,
+    stand,
+)
+from graphic_tmm.chapters.kinematics.drives.crank import Crank
+from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
+from graphic_tmm.chapters.kinematics.drives.rack import Rack
+from graphic_tmm.chapters.kinematics.formulas import (
+    bearing_near,
+    external_ratio,
+    internal_ratio,
+    rolled_between,
+    rolled_by,
+    rolled_round,
+)
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.wheels import Rolling
+
+CENTRES = said("Both centres stand on one rigid link; the pitch circles touch on the line that joins them.")
+OUTWARDS = said("The smaller wheel lies inside: the pitch circles touch behind its centre.")
+PITCH_POINT = said("The pitch circles touch here, as far from the centre as the pitch radius is long.")
+WHEEL_AXIS = said("The wheel's link turns about {start}; its angle is the one by which the wheel has rolled.")
+
+
+class Winding(NamedTuple):
+    """How the angle of a link goes on: ``turns`` with each turn of the drive, about ``middle`` + that, degrees."""
+
+    turns: float
+    middle: float
+
+
+Wound = Callable[[int, "Wheels"], Winding]
+"""How the angle of a link goes on, by its number; the positions drawn so far tell where nothing else does."""
+
+
+class Wheels:
+    """The wheels of a mechanism while its plan of positions is drawn.
+
+    ``angles``: of links whose angle is known by itself, each with the direction in own axes that it is of.
+    ``closings``, ``sides``: of the groups drawn so far.
+    """
+
+    def __init__(
+        self, draft: Draft, mechanism: Mechanism, bodies: dict[int, Body], wound: Wound | None
+    ) -> None:
+        self.draft = draft
+        self.mechanism = mechanism
+        self.bodies = bodies
+        self.wound = wound
+        self.angles: dict[int, tuple[Mark, float]] = {}
+        self.drawn: list[Meshed] = []
+        self.closings: list[Closing] = []
+        self.sides: dict[str, Mark] = {}
+        self.row: list[Mark] = []
+
+    @property
+    def positions(self) -> Positions:
+        """The plan of positions as far as it is drawn."""
+        drawn, row = tuple(self.drawn), tuple(self.row)
+        return Positions(self.bodies, tuple(self.closings), self.sides, row, (), drawn)
+
+    def drive(self, pair: DrivenPair, at: Mark) -> None:
+        """Note where a drive stands."""
+        self.row.append(at)
+        if isinstance(pair, Crank) and not isinstance(pair, Rack):
+            self.angles[pair.link] = at, self.bodies[pair.link].angle
+
+    def stand(self, rolling: Rolling) -> None:
+        """Draw a wheel's pitch point, and its link at the angle to which it has rolled."""
+        draft, arm = self.draft, self.bodies[rolling.arm]
+        link = self.mechanism.by_number[rolling.link]
+        centre, other = arm.marks[rolling.pin], arm.marks[rolling.other]
+        inside = rolling.reach < 0.0
+        name = f"({rolling.pin}{rolling.letter})"
+        line = draft.draw(join, f"({rolling.pin}{rolling.other})", centre, other, why=CENTRES)
+        if inside:
+            line = draft.draw(parallel, name, centre, line, sense=-1, why=OUTWARDS)
+        radius = draft.length(f"{rolling.pin}{rolling.letter}", abs(rolling.reach))
+        pitch = draft.draw(lay_off, rolling.letter, line, radius, why=PITCH_POINT)
+        own = link.points[rolling.pin]
+        ends = [(letter, z) for letter, z in link.points.items() if letter != rolling.pin]
+        bend = math.degrees(cmath.phase(ends[0][1] - own)) if ends else 0.0
+        angle = self._angle(rolling, bend)
+        told = f"({rolling.pin}{ends[0][0]})" if ends else f"({link.number})"
+        axis = draft.draw(ray, told, centre, angle, why=WHEEL_AXIS)
+        body = self.bodies[link.number] = Body(link, own, bend, lambda: axis)
+        stand(body, rolling.pin, centre, own)
+        draw_points(draft, body, anchor(body))
+        for number, at in ((rolling.link, centre), (rolling.on, other)):
+            draft.figure("wheel", str(number), at, pitch)
+        self.angles[link.number] = angle, bend
+        leg = PinLeg(link.number, rolling.arm, rolling.pin, centre, line, radius)
+        self.drawn.append(Meshed(rolling, leg, pitch, angle))
+
+    def _angle(self, rolling: Rolling, bend: float) -> Mark:
+        """Calculate the angle of a wheel's link; ``bend``: of the direction in own axes that it is of."""
+        draft, number, ratio = self.draft, rolling.link, rolling.ratio
+        arm, on = self._known(rolling.arm), self._known(rolling.on)
+        off = rolling.start + bend
+        off -= (1.0 - ratio) * arm[1] if arm else 0.0
+        off -= ratio * on[1] if on else 0.0
+        start = draft.angle(f"φ_{{{number}0}}", off)
+        share = self._ratio(rolling)
+        if arm is None and on is not None:
+            uses, op = (start, share, on[0]), rolled_by
+        elif arm is not None and on is None:
+            uses, op = (start, arm[0], share), rolled_round
+        else:
+            assert arm is not None
+            assert on is not None
+            return draft.draw(
+                rolled_between, f"φ_{number}", start, arm[0], share, on[0], unit="°"
+            )
+        return draft.draw(op, f"φ_{number}", *uses, unit="°")
+
+    def _ratio(self, rolling: Rolling) -> Mark:
+        draft, mesh = self.draft, rolling.mesh
+        own = mesh.links.index(rolling.link)
+        letter, unit = ("z", "") if mesh.toothed else ("r", "m")
+        sizes = [
+            draft.constant(f"{letter}_{{{rolling.letter}{mesh.links[k]}}}", mesh.sizes[k], unit)
+            if len(self.mechanism.meshes) > 1
+            else draft.constant(f"{letter}_{mesh.links[k]}", mesh.sizes[k], unit)
+            for k in (1 - own, own)
+        ]
+        op = internal_ratio if mesh.internal else external_ratio
+        return draft.draw(op, f"u_{{{rolling.link}{rolling.on}}}", *sizes)
+
+    def _known(self, number: int) -> tuple[Mark, float] | None:
+        """Return the angle of a link, and of which direction in its own axes; None of the frame."""
+        if number == self.mechanism.frame.number:
+            return None
+        if number not in self.angles:
+            self.angles[number] = self._read(number), self.bodies[number].angle
+        return self.angles[number]
+
+    def _read(self, number: int) -> Mark:
+        draft, axis = self.draft, self.bodies[number].axis
+        assert self.wound is not None, number
+        turns, middle = self.wound(number, self)
+        near = draft.direction(middle)
+        if turns:
+            zero, share = draft.direction(0.0), draft.constant("", turns, "")
+            near = draft.draw(angle_by_angle, f"φ′_{number}", near, share, self.row[0], zero, unit="°")
+        return draft.draw(bearing_near, f"φ_{number}", axis, near, unit="°")
+
+
+def attached(positions: Positions, room: str) -> Iterator[Closing | Meshed]:
+    """Yield groups and wheels in the order of attachment."""
+    groups = tuple(dyads(positions.closings, room))
+    for k in range(len(groups) + 1):
+        yield from (one for one in positions.wheels if one.rolling.after == k)
+        yield from groups[k : k + 1]

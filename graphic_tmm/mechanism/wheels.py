@@ -1,0 +1,100 @@
+"""Wheels on links: two links in mesh, each turning about a pin of one rigid link that joins both centres.
+
+A wheel that rolls on another is a group of one link with a lower pair, its pin, and a higher one, the mesh: W =
+3·1 − 2·1 − 1 = 0. Distances along the line of centres are signed, so one rule holds for external and internal
+wheels: seen from the link that joins the centres, both turn as far as the pitch point lies from the other centre.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Mapping
+from typing import NamedTuple
+
+from graphic_tmm.mechanism.groups import Pair
+from graphic_tmm.mechanism.records import Link, Mechanism, Mesh
+
+PITCH = "K"
+"""The letter of a pitch point; with a prime where a point of the scene has it."""
+
+
+class Rolling(NamedTuple):
+    """A wheel that stands by another one: its link, that on which it rolls, the one that joins the centres.
+
+    ``pin``, ``other``: the letters of its own centre and of the other's. ``reach``: how far the pitch point lies
+    from its own centre towards the other, ``away``: from the other's centre towards its own, m, with signs.
+    ``start``: the angle of its own x axis from that of ``arm`` where the other's lies along that, degrees.
+    ``after``: so many groups of two links stand before it; ``letter``: that of the pitch point.
+    """
+
+    mesh: Mesh
+    link: int
+    on: int
+    arm: int
+    pin: str
+    other: str
+    reach: float
+    away: float
+    start: float
+    after: int
+    letter: str
+
+    @property
+    def name(self) -> str:
+        """Its link, as it stands in the formula of structure."""
+        return str(self.link)
+
+    @property
+    def ratio(self) -> float:
+        """How far it turns for one turn of the other, both seen from the link that joins the centres."""
+        return -self.away / self.reach
+
+    @property
+    def ring(self) -> bool:
+        """Whether its teeth are inside."""
+        return self.mesh.internal and abs(self.reach) > abs(self.away)
+
+    @property
+    def pair(self) -> Pair:
+        """Its higher pair."""
+        return Pair("K", self.letter, (min(self.link, self.on), max(self.link, self.on)))
+
+
+def bearers(bodies: Mapping[int, Link], mesh: Mesh) -> list[int]:
+    """Return the links that join both centres of a mesh rigidly."""
+    return [
+        number
+        for number, body in bodies.items()
+        if number not in mesh.links and all(letter in body.points for letter in mesh.centres)
+    ]
+
+
+def rolling(
+    mechanism: Mechanism, known: Collection[int], held: Mapping[int, list[Pair]], after: int
+) -> Iterator[Rolling]:
+    """Yield the wheels that can come next; ``held``: how links that are left are joined to what is there."""
+    bodies = mechanism.by_number
+    for k, mesh in enumerate(mechanism.meshes):
+        arms = [number for number in bearers(bodies, mesh) if number in known]
+        for own in (0, 1):
+            link, on = mesh.links[own], mesh.links[1 - own]
+            pin, other = mesh.centres[own], mesh.centres[1 - own]
+            if not arms or on not in known or link in known:
+                continue
+            if [pair.name for pair in held.get(link, ())] != [pin]:
+                continue
+            points = bodies[arms[0]].points
+            first, second = mesh.reaches(abs(points[pin] - points[other]))
+            reach, away = (first, second) if own == 0 else (second, first)
+            start = mesh.start if own else mesh.start * away / reach
+            yield Rolling(
+                mesh, link, on, arms[0], pin, other, reach, away, start, after, _letter(mechanism, k)
+            )
+
+
+def _letter(mechanism: Mechanism, k: int) -> str:
+    """Return the letter of the pitch point of the mesh of this index."""
+    taken = {letter for link in mechanism.by_number.values() for letter in link.points}
+    letter = PITCH if len(mechanism.meshes) == 1 else f"{PITCH}{k + 1}"
+    while letter in taken:
+        letter += "′"
+    return letter
