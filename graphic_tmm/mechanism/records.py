@@ -121,10 +121,11 @@ class Sweep:
 
 @dataclass(frozen=True)
 class Mesh:
-    """Two wheels in mesh: their links, the letters of their centres, their teeth or pitch radii (the ratio counts).
+    """Two wheels in mesh: their links, the letters of their centres, their teeth or pitch radii.
 
     ``start``: the angle of the second link's own x axis from that of the link that joins the centres, where the
-    first one's lies along that; ``pressure``: the angle of the line of action, both in degrees.
+    first one's lies along that; ``pressure``: the angle of the line of action, both in degrees. Of ``sizes``
+    the ratio counts; ``toothed``: they are teeth.
     """
 
     links: tuple[int, int]

@@ -2,7 +2,7 @@
 
 A wheel that rolls on another is a group of one link with a lower pair, its pin, and a higher one, the mesh: W =
 3·1 − 2·1 − 1 = 0. Distances along the line of centres are signed, so one rule holds for external and internal
-wheels: seen from the link that joins the centres, both turn as far as the pitch point lies from the other centre.
+wheels: seen from the link that joins the centres both turn in the inverse ratio of the pitch radii.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ PITCH = "K"
 class Rolling(NamedTuple):
     """A wheel that stands by another one: its link, that on which it rolls, the one that joins the centres.
 
-    ``pin``, ``other``: the letters of its own centre and of the other's. ``reach``: how far the pitch point lies
+    ``pin``, ``other``: the letters of its own centre and of the other's. ``reach``: how far the pitch point is
     from its own centre towards the other, ``away``: from the other's centre towards its own, m, with signs.
     ``start``: the angle of its own x axis from that of ``arm`` where the other's lies along that, degrees.
     ``after``: so many groups of two links stand before it; ``letter``: that of the pitch point.
@@ -87,7 +87,17 @@ def rolling(
             reach, away = (first, second) if own == 0 else (second, first)
             start = mesh.start if own else mesh.start * away / reach
             yield Rolling(
-                mesh, link, on, arms[0], pin, other, reach, away, start, after, _letter(mechanism, k)
+                mesh,
+                link,
+                on,
+                arms[0],
+                pin,
+                other,
+                reach,
+                away,
+                start,
+                after,
+                _letter(mechanism, k),
             )
 
 

@@ -26,6 +26,8 @@ VECTORS = {roles.VELOCITY: "v", roles.ACCELERATION: "a"}
 _INDEX = re.compile(r"([_^])(\w+)")
 _GROUP, _HEADING = re.compile(r"II\((.+)\)"), said("group {name} of class II")
 """How the log heads the steps of a group, and what people read: II before a vector would be a parallel."""
+_WHEEL, _ROLLS = re.compile(r"p4\((.+)\)"), said("wheel {name} with its higher pair")
+"""The same of a wheel that rolls on another."""
 
 
 class Term(NamedTuple):
@@ -92,8 +94,10 @@ def heading(note: str, language: str) -> str:
     >>> heading("II(2-3)", "en"), heading("v_A = ω_1·l_{OA}", "en")
     ('group 2-3 of class II', 'v_A = ω_1·l_{OA}')
     """
-    found = _GROUP.fullmatch(note)
-    return note if found is None else speaking(language)(_HEADING, name=found[1])
+    for pattern, words in ((_GROUP, _HEADING), (_WHEEL, _ROLLS)):
+        if found := pattern.fullmatch(note):
+            return speaking(language)(words, name=found[1])
+    return note
 
 
 def _bar(symbol: str) -> str:

@@ -12,7 +12,7 @@ from graphic_tmm.scene.sections import Parts, pairing
 from graphic_tmm.scene.weld import one_body
 
 APART = 1e-6
-"""Pitch radii that come to the distance of the centres within this share of it do so: lengths have few digits."""
+"""Pitch radii come to the distance of the centres within this share of it: lengths have few digits."""
 
 
 def mesh_faults(parts: Parts) -> Iterator[Flaw]:
@@ -51,7 +51,9 @@ def _ends(path: Path, mesh: Mesh) -> Iterator[Flaw]:
             says = said("two wheels are in mesh: name two different ones, each once")
             yield Flaw((*path, name), says)
     if bool(mesh.teeth) == bool(mesh.radii):
-        says = said("give the teeth of both wheels, teeth = [20, 40], or their radii, one of the two")
+        says = said(
+            "give the teeth of both wheels, teeth = [20, 40], or their radii, one of the two"
+        )
         yield Flaw((*path, "teeth"), says)
     elif len(mesh.sizes) != 2:
         says = said("two wheels are in mesh: write two numbers, in the order of links")
@@ -78,7 +80,9 @@ def _sizes(path: Path, mesh: Mesh, bodies: Mapping[int, Frame | Link]) -> Iterat
         return
     one, other = mesh.sizes
     if mesh.internal and one == other:
-        says = said("a wheel with its teeth inside is larger than the one in it: give different sizes")
+        says = said(
+            "a wheel with its teeth inside is larger than the one in it: give different sizes"
+        )
         yield Flaw((*path, "teeth" if mesh.teeth else "radii"), says)
     apart = abs(arms[0].points[first] - arms[0].points[second])
     wanted = abs(one - other) if mesh.internal else one + other

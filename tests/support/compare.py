@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
+from graphic_tmm.chapters.kinematics.wheels import Wound
 from support.drawn import board
 from support.mechanisms import Sampled
 from support.oracle import solve_fast
 
 
-def errors(drawn: Sampled, *, turned: bool) -> dict[str, float]:
+def errors(drawn: Sampled, *, turned: bool, wound: Wound | None = None) -> dict[str, float]:
     """Largest relative errors of points r, v, a and rates omega, epsilon in the drawn position."""
-    read = board(drawn.mechanism, turned=turned).read([[drawn.phi]])
+    read = board(drawn.mechanism, turned=turned, wound=wound).read([[drawn.phi]])
     state = solve_fast(drawn.mechanism, drawn.phi, drawn.poses)
     speed = abs(drawn.mechanism.drive.speed)
     largest = {"r": state.size, "v": state.size * speed, "a": state.size * speed**2}

@@ -20,6 +20,7 @@ from graphic_tmm.chapters.kinematics.positions import (
 )
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
+from graphic_tmm.chapters.kinematics.wheels import Wound
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
 
@@ -60,13 +61,17 @@ class Board(NamedTuple):
 
 
 def board(
-    mechanism: Mechanism, *, turned: bool = False, mu: tuple[float, float, float] = (1.0, 1.0, 1.0)
+    mechanism: Mechanism,
+    *,
+    turned: bool = False,
+    mu: tuple[float, float, float] = (1.0, 1.0, 1.0),
+    wound: Wound | None = None,
 ) -> Board:
     structure = dissect(mechanism)
     draft = Draft()
     frame = draw_frame(draft, mechanism, structure)
     phi = draft.board.take(Angle, "φ", "°")
-    positions = draw_positions(draft, mechanism, structure, frame, [phi])
+    positions = draw_positions(draft, mechanism, structure, frame, [phi], wound)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
     accelerations = draw_accelerations(draft, mechanism, structure, positions, velocities)
     assert draft.mu_l is not None

@@ -94,6 +94,8 @@ class System(NamedTuple):
     alpha: Numbers
     turn: Numbers
     rise: Numbers
+    wheels: Places
+    gears: Numbers
 
 
 def _cos_sin(angles: Numbers) -> tuple[Numbers, Numbers]:
@@ -153,6 +155,7 @@ def system_of(mechanism: Mechanism, *, digits: bool = False) -> System:
             arms.append((p.real, p.imag, o.real, o.imag))
     slides = [(i, slide) for i, link in enumerate(links) for slide in link.slides]
     rows, unknowns = 2 * (len(pins) + len(slides)) + 1, 3 * len(mechanism.links)
+    rows += len(mechanism.meshes)
     if rows < unknowns:
         raise OracleError(f"{rows} equations for {unknowns} unknowns")
 
@@ -172,7 +175,21 @@ def system_of(mechanism: Mechanism, *, digits: bool = False) -> System:
     on = np.array([(i, place[slide.on]) for i, slide in slides], dtype=np.intp).reshape(-1, 2).T
     both, offsets = np.array(pins, dtype=np.intp).T, rise + gy * cos - gx * sin
     own, points = atan2(dy, dx), np.array([numbers(arm) for arm in arms]).T
-    return System(size, pi, place[crank.number], own, both, points, on, alpha, turn, offsets)
+    meshed, shares, starts = [], [], []
+    for mesh in mechanism.meshes:
+        arm = next(
+            k
+            for k, one in enumerate(links)
+            if one.number not in mesh.links and set(mesh.centres) <= one.points.keys()
+        )
+        meshed.append((*(place[number] for number in mesh.links), arm))
+        shares.append((1.0 if mesh.internal else -1.0) * mesh.sizes[0] / mesh.sizes[1])
+        starts.append(mesh.start)
+    wheels = np.array(meshed, dtype=np.intp).reshape(-1, 3).T
+    gears = np.array([numbers(shares), numbers(starts) * (pi / 180)])
+    return System(
+        size, pi, place[crank.number], own, both, points, on, alpha, turn, offsets, wheels, gears
+    )
 
 
 def _vectors(system: System, q: Numbers) -> tuple[Numbers, ...]:
@@ -188,15 +205,21 @@ def _vectors(system: System, q: Numbers) -> tuple[Numbers, ...]:
 def equations(system: System, q: Numbers, phi: Any) -> tuple[Numbers, Numbers]:
     """Residuals, shape (3n,), and Jacobian, shape (3n, 3n), at the poses q, shape (n + 1, 3).
 
-    Rows: the x of all pins, their y, the slides' angles, the slides' offsets, the crank.
+    Rows: the x of all pins, their y, the slides' angles, the slides' offsets, the wheels, the crank.
     """
     (i, k), (si, ki), (x, y, t) = system.pins, system.slides, q.T
     ax, ay, bx, by, ux, uy, dx, dy = _vectors(system, q)
-    angles = np.append(t[si] - t[ki] - system.turn, t[system.crank] + system.own - phi)
+    (first, second, arm), (share, start) = system.wheels, system.gears
+    rolled = t[second] - t[arm] - share * (t[first] - t[arm]) - start
+    angles = np.concatenate(
+        [t[si] - t[ki] - system.turn, rolled, np.atleast_1d(t[system.crank] + system.own - phi)]
+    )
     full = 2 * system.pi
     angles = angles - full * np.rint(np.asarray(angles / full, dtype=float)).astype(int)
     pins = (x[i] + ax - x[k] - bx, y[i] + ay - y[k] - by)
-    residual = np.concatenate([*pins, angles[:-1], ux * dy - uy * dx - system.rise, angles[-1:]])
+    sliding = len(si)
+    offsets = ux * dy - uy * dx - system.rise
+    residual = np.concatenate([*pins, angles[:sliding], offsets, angles[sliding:]])
     jacobian = np.zeros((len(residual), q.size), dtype=q.dtype)
     row = np.arange(len(i))
     jacobian[row, 3 * i], jacobian[row, 3 * k] = 1, -1
@@ -210,6 +233,10 @@ def equations(system: System, q: Numbers, phi: Any) -> tuple[Numbers, Numbers]:
     jacobian[row, 3 * si], jacobian[row, 3 * ki] = -uy, uy
     jacobian[row, 3 * si + 1], jacobian[row, 3 * ki + 1] = ux, -ux
     jacobian[row, 3 * ki + 2] = -(ux * dx + uy * dy)
+    row = 2 * (len(i) + len(si)) + np.arange(len(first))
+    jacobian[row, 3 * second + 2] = 1
+    jacobian[row, 3 * first + 2] = -share
+    jacobian[row, 3 * arm + 2] += share - 1
     jacobian[-1, 3 * system.crank + 2] = 1
     return residual, jacobian[:, 3:]
 
@@ -221,7 +248,8 @@ def quadratic(system: System, q: Numbers, dq: Numbers) -> Numbers:
     along, wk = ux * (vx[si] - vx[ki]) + uy * (vy[si] - vy[ki]), w[ki]
     pins = (w[k] * w[k] * bx - w[i] * w[i] * ax, w[k] * w[k] * by - w[i] * w[i] * ay)
     offsets = -2 * wk * along - wk * wk * (ux * dy - uy * dx)
-    return np.concatenate([*pins, 0 * wk, offsets, 0 * w[[system.crank]]])
+    rolled = 0 * w[system.wheels[0]]
+    return np.concatenate([*pins, 0 * wk, offsets, rolled, 0 * w[[system.crank]]])
 
 
 def newton(system: System, phi: Any, start: Numbers, close: float = 1e-9) -> Numbers:

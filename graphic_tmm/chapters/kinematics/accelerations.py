@@ -82,7 +82,7 @@ def draw_accelerations(
 def _wheel(
     draft: Draft, positions: Positions, velocities: Motion, plan: Motion, wheel: Meshed
 ) -> None:
-    """Draw the pitch point of a wheel: over that of the other along the line of centres, about its own centre."""
+    """Draw a wheel's pitch point: over the other's along the line of centres, and about its own centre."""
     draft.say(f"p4({wheel.rolling.name})")
     on, leg = wheel.rolling.on, wheel.leg
     letter = f"{wheel.letter}{leg.link}"
@@ -91,6 +91,8 @@ def _wheel(
     name = f"({between(start, letter)})"
     along = draft.draw(parallel, name, start, leg.line, sense=1, why=why.ROLLING_APART)
     point = draft.draw(meet, letter, along, across, free=True, why=why.BOTH_EQUATIONS)
+    if start != plan.images.pole:
+        component(draft, _read(draft, point, along, why.RELATIVE_READ), "r", letter, start.name)
     _read_tangential(draft, plan, leg, point, across)
     hang_wheel(positions, plan, wheel, pivot_image(plan, leg), point)
 

@@ -51,8 +51,8 @@ def rolled_round(start: Angle, arm: Angle, ratio: Number) -> Angle:
 
 @formula(
     why=said(
-        "Seen from the link that joins the centres the other wheel has turned by {turned} − {arm}, and this one "
-        "by {ratio} times that; with that link it goes on by {arm}."
+        "Seen from the link that joins the centres the other wheel has turned by {turned} − {arm}, this one by "
+        "{ratio} times that; with that link it goes on by {arm}."
     )
 )
 def rolled_between(start: Angle, arm: Angle, ratio: Number, turned: Angle) -> Angle:

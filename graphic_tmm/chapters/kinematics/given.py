@@ -31,6 +31,7 @@ def given(scene: Scene) -> Iterator[Given]:
     rows = [*_lengths(mechanism), *frame_sizes(mechanism)]
     yield from dict.fromkeys(Given(name, size, SIZE) for name, size in rows)
     yield from _directions(mechanism)
+    yield from _wheels(mechanism)
     pairs = driven(mechanism, dissect(mechanism))
     for pair in pairs:
         yield from pair.given(scene.language)
@@ -175,6 +176,16 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
     if scene.mechanism is not None:
         for pair in driven(scene.mechanism, dissect(scene.mechanism)):
             yield from pair.stated(language)
+        for mesh in scene.mechanism.meshes:
+            (first, second), (centre, other) = mesh.links, mesh.centres
+            yield _(
+                _INTERNAL if mesh.internal else _EXTERNAL,
+                first=first,
+                second=second,
+                centre=centre,
+                other=other,
+                angle=f"{given_figure(mesh.start, language)}°",
+            )
     if isinstance(zero, Extreme):
         yield _(_ZERO, extreme=remark(f"{zero.point}: {zero.at}", language))
     if told := wanted_accelerations(scene, language):
@@ -189,12 +200,29 @@ def wanted_accelerations(scene: Scene, language: str) -> str:
     return speaking(language)(_ACCELERATIONS, n=len(wanted), listed=", ".join(wanted))
 
 
+_EXTERNAL = said(
+    "Links {first} and {second} bear wheels in external mesh, about {centre} and {other}; seen from the link "
+    "that joins the centres, link {second} stands at {angle} where link {first} stands at 0°."
+)
+_INTERNAL = said(
+    "Links {first} and {second} bear wheels in internal mesh, about {centre} and {other}; seen from the link "
+    "that joins the centres, link {second} stands at {angle} where link {first} stands at 0°."
+)
 _STANDS = said("The mechanism stands; plans of possible velocities are drawn at {rate}.")
 _ZERO = said("Positions are counted from the {extreme}.")
 _ACCELERATIONS = said(
     "The plan of accelerations is wanted in position {listed}.",
     "Plans of accelerations are wanted in positions {listed}.",
 )
+
+
+def _wheels(mechanism: Mechanism) -> Iterator[Given]:
+    """The teeth or pitch radii of wheels on links, and how one stands by the other."""
+    for mesh in mechanism.meshes:
+        for link, size in zip(mesh.links, mesh.sizes, strict=True):
+            yield Given(f"z_{link}", size) if mesh.toothed else Given(f"r_{link}", size, SIZE)
+        if mesh.start:
+            yield Given(f"φ_{{{mesh.links[1]},0}}", mesh.start, "°")
 
 
 def _masses(mechanism: Mechanism) -> Iterator[Given]:

@@ -258,7 +258,7 @@ def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark
 def hang_wheel(
     positions: Positions, plan: Motion, wheel: Meshed, centre: Mark, image: Mark
 ) -> None:
-    """Enter the link of a wheel into the plan's images, by its centre's and the pitch point's as a point of it."""
+    """Enter a wheel's link into the plan's images: by its centre's, and the pitch point's as a point of it."""
     leg, body = wheel.leg, positions.bodies[wheel.rolling.link]
     base = Base(leg.pivot, wheel.pitch, centre, image)
     known = {leg.letter: centre, wheel.rolling.letter: image}

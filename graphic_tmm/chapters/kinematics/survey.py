@@ -154,9 +154,7 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
                 axes[letter, name] = draft.draw(measure_along, along, pole, image, axis)
     given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
     log = draft.board.construction()
-    return Survey(
-        mechanism, structure, log, given, positions, velocities, axes, zero, windings
-    )
+    return Survey(mechanism, structure, log, given, positions, velocities, axes, zero, windings)
 
 
 def winding(wheels: Wheels, number: int) -> Winding:

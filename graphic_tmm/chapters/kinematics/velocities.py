@@ -9,7 +9,7 @@ from __future__ import annotations
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import rate, to_board
-from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along, meet
+from graphic_tmm.board.operations.instruments import coincide, lay_off, measure, measure_along, meet
 from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics import words as why
@@ -80,16 +80,23 @@ def draw_velocities(
     return plan
 
 
-def _wheel(draft: Draft, positions: Positions, plan: Motion, turn: VelocityLines, wheel: Meshed) -> None:
+def _wheel(
+    draft: Draft, positions: Positions, plan: Motion, turn: VelocityLines, wheel: Meshed
+) -> None:
     """Read the velocity of the pitch point, common to both wheels, about the centre of the one that rolls."""
-    draft.say(f"p4({wheel.rolling.name})")
-    start, letter, pole = pivot_image(plan, wheel.leg), wheel.letter, plan.images.pole
-    image = plan.images.of(wheel.rolling.on, wheel.pitch, wheel.rolling.letter, letter)
-    if pole not in (image, start):
+    rolling, leg, pole = wheel.rolling, wheel.leg, plan.images.pole
+    start, point = pivot_image(plan, leg), f"{rolling.letter}{rolling.pin}"
+    about = f"ω_{leg.link}·l_{{{point}}}" if start == pole else f"v_{rolling.pin} + v_{{{point}}}"
+    square_to = rolling.letter if start == pole else f"{{{point}}}"
+    draft.say(f"v_{rolling.letter} = {about},  v_{square_to} ⊥ {rolling.pin}{rolling.letter}")
+    image = plan.images.of(rolling.on, wheel.pitch, rolling.letter, wheel.letter)
+    if image == pole:
+        image = draft.draw(coincide, wheel.letter, pole, free=True, why=why.STANDING_WHEEL)
+    elif start != pole:
         draft.draw(measure, between(pole, image.letter), pole, image, why=why.ABSOLUTE_VELOCITY)
         plan.measured.add(image)
-    line = turn.across(f"({between(start, letter)})", start, wheel.leg.line, start == pole)
-    _read(draft, plan, wheel.leg, start, image, line)
+    line = turn.across(f"({between(start, image.letter)})", start, leg.line, start == pole)
+    _read(draft, plan, leg, start, image, line)
     hang_wheel(positions, plan, wheel, start, image)
 
 

@@ -1,7 +1,7 @@
 """Wheels on links on the plan of positions: the pitch point on the line of centres, the angle of the wheel.
 
-A wheel's angle goes on from turn to turn, so those of the links that it rolls by are counted without a leap, too:
-that of a crank is given, those of others are read next to an angle which goes round as they do (`Winding`).
+A wheel's angle goes on from turn to turn, so those of the links that it rolls by are counted without a leap,
+too: that of a crank is given, those of others are read next to one which goes round as they do (`Winding`).
 """
 
 from __future__ import annotations
@@ -41,14 +41,20 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.wheels import Rolling
 
-CENTRES = said("Both centres stand on one rigid link; the pitch circles touch on the line that joins them.")
+CENTRES = said(
+    "Both centres stand on one rigid link; the pitch circles touch on the line that joins them."
+)
 OUTWARDS = said("The smaller wheel lies inside: the pitch circles touch behind its centre.")
-PITCH_POINT = said("The pitch circles touch here, as far from the centre as the pitch radius is long.")
-WHEEL_AXIS = said("The wheel's link turns about {start}; its angle is the one by which the wheel has rolled.")
+PITCH_POINT = said(
+    "The pitch circles touch here, as far from the centre as the pitch radius is long."
+)
+WHEEL_AXIS = said(
+    "The wheel's link turns about {start}; its angle is the one by which the wheel has rolled."
+)
 
 
 class Winding(NamedTuple):
-    """How the angle of a link goes on: ``turns`` with each turn of the drive, about ``middle`` + that, degrees."""
+    """How a link's angle goes on: by ``turns`` with each turn of the drive, near ``middle`` + that, degrees."""
 
     turns: float
     middle: float
@@ -133,9 +139,7 @@ class Wheels:
         else:
             assert arm is not None
             assert on is not None
-            return draft.draw(
-                rolled_between, f"φ_{number}", start, arm[0], share, on[0], unit="°"
-            )
+            return draft.draw(rolled_between, f"φ_{number}", start, arm[0], share, on[0], unit="°")
         return draft.draw(op, f"φ_{number}", *uses, unit="°")
 
     def _ratio(self, rolling: Rolling) -> Mark:
@@ -166,7 +170,9 @@ class Wheels:
         near = draft.direction(middle)
         if turns:
             zero, share = draft.direction(0.0), draft.constant("", turns, "")
-            near = draft.draw(angle_by_angle, f"φ′_{number}", near, share, self.row[0], zero, unit="°")
+            near = draft.draw(
+                angle_by_angle, f"φ′_{number}", near, share, self.row[0], zero, unit="°"
+            )
         return draft.draw(bearing_near, f"φ_{number}", axis, near, unit="°")
 
 

@@ -210,9 +210,12 @@ RELATIVE_ALONG = said(
     "{to}, its amount is not known yet."
 )
 ACCELERATION_ALONG = said("The guide is fixed and straight, so the acceleration has its direction.")
+STANDING_WHEEL = said(
+    "The other wheel stands, and on it this one rolls without slipping: its pitch point has no velocity."
+)
 ROLLING_APART = said(
-    "Where the wheels roll on each other their points have the same acceleration along the common tangent: they "
-    "differ along the line of centres only, {to}."
+    "Where the wheels roll on each other their points have the same acceleration along the common tangent; "
+    "they differ only along the line of centres, {to}."
 )
 TANGENTIAL_READ = said(
     "This segment, times the scale factor, is the tangential acceleration; its sign tells the sense of ε."

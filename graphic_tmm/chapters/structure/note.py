@@ -32,8 +32,8 @@ MOVING = said(
     "Its mobility by Chebyshev's formula:"
 )
 HIGHER = said(
-    "The mechanism has {n} moving links, {p} pairs of class 5 and {p4} of class 4, wheels in mesh. Its mobility "
-    "by Chebyshev's formula:"
+    "The mechanism has {n} moving links, {p} pairs of class 5, and {p4} of class 4: wheels in mesh. Its "
+    "mobility by Chebyshev's formula:"
 )
 WHEEL = said("Wheel {name}: a lower and a higher pair")
 ONE_DRIVE = said(
@@ -102,11 +102,11 @@ class StructurePage(Page[Structure]):
         if rods:
             yield self.says(TELESCOPED)
         kinds = {group.name: group.kind for group in class_two(structure.groups, PARTS)}
-        others = dict.fromkeys(rods, DRIVEN_ROD) | {one.name: WHEEL for one in structure.wheels}
+        called = dict.fromkeys(rods, DRIVEN_ROD) | {one.name: WHEEL for one in structure.wheels}
         titles = [
             self.sentence(GROUP, name=name, kind=kinds[name])
             if name in kinds
-            else self.sentence(others.get(name, DRIVEN), name=name)
+            else self.sentence(called.get(name, DRIVEN), name=name)
             for name in found.parts
         ]
         shown = zip(self.figures(*self.pictures), titles, strict=True)

@@ -52,7 +52,8 @@ def draw_part(
     """
     ink = LinksInk(on.construction, on.reading, reaches)
     names = [str(number) for number in (*links, *rods)]
-    strokes: list[Ink] = [stroke for one in names for stroke in ink.lines(one, index, MAIN)]
+    strokes: list[Ink] = [*ink.wheels(names, index)] if len(names) == 1 else []
+    strokes += [stroke for one in names for stroke in ink.lines(one, index, MAIN)]
     strokes += _outer_guides(ink, names, index)
     strokes += [stroke for stroke in ink.symbols(names, index) if stroke.part != "centre"]
     marks = dict.fromkeys(m for one in names for told in ink.of(one, "link") for m in told.marks)
