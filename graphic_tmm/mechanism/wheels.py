@@ -20,6 +20,7 @@ PITCH = "K"
 class Rolling(NamedTuple):
     """A wheel that stands by another one: its link, that on which it rolls, the one that joins the centres.
 
+    ``body``: what its pin is on: ``arm``, or the frame where that has the letter, too.
     ``pin``, ``other``: the letters of its own centre and of the other's. ``reach``: how far the pitch point is
     from its own centre towards the other, ``away``: from the other's centre towards its own, m, with signs.
     ``start``: the angle of its own x axis from that of ``arm`` where the other's lies along that, degrees.
@@ -30,6 +31,7 @@ class Rolling(NamedTuple):
     link: int
     on: int
     arm: int
+    body: int
     pin: str
     other: str
     reach: float
@@ -80,7 +82,8 @@ def rolling(
             pin, other = mesh.centres[own], mesh.centres[1 - own]
             if not arms or on not in known or link in known:
                 continue
-            if [pair.name for pair in held.get(link, ())] != [pin]:
+            pairs = held.get(link, ())
+            if [pair.name for pair in pairs] != [pin]:
                 continue
             points = bodies[arms[0]].points
             first, second = mesh.reaches(abs(points[pin] - points[other]))
@@ -91,6 +94,7 @@ def rolling(
                 link,
                 on,
                 arms[0],
+                pairs[0].other(link),
                 pin,
                 other,
                 reach,

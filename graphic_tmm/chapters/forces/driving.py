@@ -15,6 +15,7 @@ from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Side, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
 from graphic_tmm.chapters.forces.statics import Slope, Solved, links_of, reaction_of
+from graphic_tmm.chapters.forces.wheels import SolvedWheel
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.errors import StructureError
@@ -167,10 +168,11 @@ def solve_slider(place: Place, figure: Detached, pair: DrivenPair, acting: Actin
     return Driven(pair, letter, balance, force, None, alone)
 
 
-def read_rod(place: Place, pair: DrivenPair, groups: Iterable[Solved]) -> Driven:
+def read_rod(place: Place, pair: DrivenPair, groups: Iterable[Solved | SolvedWheel]) -> Driven:
     """Read the force that drives a rod out of its cylinder off the polygon of their group."""
     _refuse_moment(place, pair)
-    solved = next(one for one in groups if pair.link in one.rods)
+    whole = (one for one in groups if isinstance(one, Solved))
+    solved = next(one for one in whole if pair.link in one.rods)
     tail, head = solved.rods[pair.link]
     draft, letter = place.draft, place.letter("P", pair.link)
     draft.open(solved.polygon.view)
@@ -207,7 +209,7 @@ def solve_drives(
     pairs: Iterable[DrivenPair],
     figure_of: Callable[[int], Detached],
     acting: Acting,
-    groups: Iterable[Solved],
+    groups: Iterable[Solved | SolvedWheel],
 ) -> tuple[Driven, ...]:
     """Balance all drives, once the groups are solved; ``figure_of``: link -> the figure that shows it."""
     solved, found = tuple(groups), list[Driven]()

@@ -258,6 +258,10 @@ SEEN = 8.0
 """So much farther a guide that is cut off goes on behind its stone, mm: its link is seen to have one."""
 
 
+TEETH = 40.0
+"""So many degrees of a pitch circle are shown about where a tooth presses: the whole would be large."""
+
+
 class Bodies:
     """The links of a figure: those of the plan of positions, drawn to another scale.
 
@@ -292,7 +296,8 @@ class Bodies:
 
     def strokes(self) -> Iterator[Ink]:
         """The links, and what slides on them; they stand on the points of the figure."""
-        found = [s for name in self.names for s in self.ink.lines(name, self.index, MAIN)]
+        found = [*self.ink.wheels(self.names, self.index, TEETH)]
+        found += [s for name in self.names for s in self.ink.lines(name, self.index, MAIN)]
         found += self.ink.symbols(self.names, self.index)
         own = {of.slot: mark.slot for of, mark in self.points.items()}
         for stroke in found:
@@ -304,7 +309,7 @@ class Bodies:
         marks = dict.fromkeys(
             mark
             for name in self.names
-            for told in self.ink.of(name, "link", "centre")
+            for told in self.ink.of(name, "link", "centre", "wheel")
             for mark in told.marks
         )
         named = [

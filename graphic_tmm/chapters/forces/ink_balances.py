@@ -18,6 +18,7 @@ from graphic_tmm.chapters.forces.lever import Converted, Lever
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.statics import Solved, summed_links
 from graphic_tmm.chapters.forces.tool import Tool
+from graphic_tmm.chapters.forces.wheels import SolvedWheel
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
@@ -214,8 +215,23 @@ def _divided(above: list[str], below: list[str]) -> list[str]:
     return above
 
 
-def group_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
+def _wheel_rows(writer: Writer, made: Forces, solved: SolvedWheel) -> Iterator[Row]:
+    """Yield the equation of moments of a wheel, both parts of the tooth's force, and the reactions."""
+    (across, along), leg = solved.parts, solved.wheel.leg
+    of = Sum(solved.total, *_names(made, solved.links))
+    sought = Sought(across.letter, across.value, across.arm, 1, "N")
+    for parts in writer.sought(f"ΣM_{{{leg.pivot.name}}}", of, sought, solved.figure.mu):
+        yield Row(parts, across.value)
+    yield _formula(writer, along.value, "N")
+    for reaction in solved.reactions:
+        yield _read(writer, reaction, solved.polygon)
+
+
+def group_rows(writer: Writer, made: Forces, solved: Solved | SolvedWheel) -> Iterator[Row]:
     """Yield the equations of moments of a group, what they give, and the reactions of its polygon."""
+    if isinstance(solved, SolvedWheel):
+        yield from _wheel_rows(writer, made, solved)
+        return
     closing, figure = solved.closing, solved.figure
     names = _names(made, (*closing.group.links, *closing.group.rods))
     for leg in closing.legs:

@@ -274,6 +274,11 @@ def _base(
             axis = positions.bodies[crank.link].axis
             own = sense * crank.drive.sense
             return _Base(draft.uses(image)[1], length, pole, image, axis, own)
+    for wheel in positions.wheels:
+        if rate == velocities.rates[wheel.leg.link]:
+            start, segment = pivot_image(velocities, wheel.leg), velocities.readings[link]
+            end = velocities.images.by_letter[link][wheel.rolling.letter]
+            return _Base(segment, wheel.leg.length, start, end, wheel.leg.line, sense)
     for closing, leg in legs_of(positions.closings, VIEW):
         if isinstance(leg, PinLeg) and velocities.rates.get(leg.link) == rate:
             start = velocities.ends.get(leg.link) or pivot_image(velocities, leg)

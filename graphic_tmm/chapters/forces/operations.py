@@ -1,11 +1,12 @@
-"""Formulas of springs and dampers, and of a force that is sought at a tool."""
+"""Formulas of springs and dampers, of a force that is sought at a tool, of the force between teeth."""
 
 from __future__ import annotations
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.values import Length, Number
+from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.language.said import said
 
+_NO_RADIUS = "the pitch radius is zero"
 _NO_WAY = (
     "the point of the unknown force does not move along it: no force there balances the others"
 )
@@ -75,3 +76,34 @@ def advantage(segment: Length, arm_: Length) -> Number:
 )
 def left_percent(left: Number, whole: Number) -> Number:
     """100·|{left}|/|{whole}|"""
+
+
+@formula(
+    fails=_NO_RADIUS,
+    why=said(
+        "The wheel is in equilibrium about its centre: the force of the other tooth has the moment that all "
+        "other moments leave open, by its part along the common tangent, on the pitch radius {length}."
+    ),
+)
+def tooth_across(moment_: Number, length: Length, mu_l: Number) -> Number:
+    """−{moment_}/({length}·{mu_l})"""
+
+
+@formula(
+    why=said(
+        "Teeth press along the line of action, which stands at {alpha} to the common tangent; whichever flank "
+        "bears, that presses this wheel towards its own centre."
+    )
+)
+def tooth_inwards(across: Number, alpha: Angle) -> Number:
+    """−|{across}|·tan({alpha})"""
+
+
+@formula(
+    why=said(
+        "Teeth press along the line of action, which stands at {alpha} to the common tangent; whichever flank "
+        "bears, that presses this wheel, whose teeth are inside, away from its own centre."
+    )
+)
+def tooth_outwards(across: Number, alpha: Angle) -> Number:
+    """|{across}|·tan({alpha})"""

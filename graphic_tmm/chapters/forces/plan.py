@@ -27,12 +27,19 @@ from graphic_tmm.chapters.forces.loads import Acting, Ground, Loads
 from graphic_tmm.chapters.forces.statics import Solved, hand_on, solve_group
 from graphic_tmm.chapters.forces.task import ASKED, FORCES, ForcesTask, Friction
 from graphic_tmm.chapters.forces.tool import Tool, draw_line, draw_tool
+from graphic_tmm.chapters.forces.wheels import (
+    SolvedWheel,
+    hand_on_wheel,
+    refuse_friction,
+    solve_wheel,
+)
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder
-from graphic_tmm.chapters.kinematics.bodies import dyads
+from graphic_tmm.chapters.kinematics.bodies import Meshed, dyads
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
+from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
@@ -57,7 +64,7 @@ class Forces:
 
     order: ForcesTask
     loads: Loads
-    groups: tuple[Solved, ...]
+    groups: tuple[Solved | SolvedWheel, ...]
     balanced: tuple[Balanced, ...]
     acting: Acting
     efficiency: Mark | None = None
@@ -160,6 +167,12 @@ class _Figures:
         self.links: dict[int, tuple[int, ...]] = {link: (link,) for link in alone}
         self.closing: dict[int, Mark] = {}
         self.known: dict[tuple[int, ...], Detached] = {}
+        self.pitches: dict[int, list[Mark]] = {}
+        for wheel in ground.positions.wheels:
+            self.links[wheel.leg.link] = (wheel.leg.link,)
+            for link in (wheel.leg.link, wheel.rolling.on):
+                self.pitches.setdefault(link, []).append(wheel.pitch)
+        self.wheels = {wheel.leg.link for wheel in ground.positions.wheels}
         for closing in dyads(ground.positions.closings, FORCES):
             for link in (*closing.group.links, *closing.group.rods):
                 self.links[link], self.closing[link] = closing.group.links, closing.point
@@ -172,13 +185,14 @@ class _Figures:
             points = [mark for number in members for mark in self.bodies[number].marks.values()]
             more = [self.closing[link]] if link in self.closing else []
             name = Solution(links).name
-            note = f"II({name})" if more else f"I({name})"
+            note = f"II({name})" if more else f"p4({name})" if link in self.wheels else f"I({name})"
+            more += [pitch for number in members for pitch in self.pitches.get(number, [])]
             self.known[links] = Detached(self.draft, links, note, (*points, *more))
         return self.known[links]
 
 
 class _Pass(NamedTuple):
-    groups: tuple[Solved, ...]
+    groups: tuple[Solved | SolvedWheel, ...]
     driven: tuple[Driven, ...]
     acting: Acting
     rubbing: Rubbing
@@ -253,6 +267,7 @@ def _rub(ground: Ground, friction: Friction) -> Rub:
     StructureError
         If several drives stand: nothing tells which way pairs would rub.
     """
+    refuse_friction(ground.positions.wheels)
     first, *further = ground.pairs
     if further and ground.mechanism.at_rest:
         raise StructureError(
@@ -281,8 +296,14 @@ def _solve(
         acting.add(force)
     for couple in (*loads.couples, *rubbing.couples):
         acting.add(couple)
-    groups = []
-    for closing in reversed(tuple(dyads(ground.positions.closings, FORCES))):
+    groups = list[Solved | SolvedWheel]()
+    for closing in reversed(tuple(attached(ground.positions, FORCES))):
+        if isinstance(closing, Meshed):
+            of = Solution((closing.leg.link,), tried)
+            wheel = solve_wheel(figures.of(closing.leg.link), closing, acting, of)
+            hand_on_wheel(wheel, acting, frame, figures.of)
+            groups.append(wheel)
+            continue
         solved = solve_group(
             figures.of(closing.legs[0].link),
             closing,
@@ -316,7 +337,8 @@ def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str
             assert alone is not None
             reaction = alone.reaction
         else:
-            group = next(g for g in done.groups if g.closing is joint.closing)
+            solved = (group for group in done.groups if isinstance(group, Solved))
+            group = next(one for one in solved if one.closing is joint.closing)
             pairs = [own.pair for own in joint.closing.group.legs] + [joint.closing.group.inner]
             reaction = group.reactions[pairs.index(joint.pair)]
         made[(*joint.links, joint.pair.name)] = reaction

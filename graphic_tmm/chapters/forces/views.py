@@ -25,6 +25,7 @@ from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import force_columns, names_of
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.tool import Tool
+from graphic_tmm.chapters.forces.wheels import SolvedWheel
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.along import AlongGuide, AlongGuides
@@ -174,8 +175,24 @@ def vectors_of(drawn: Drawn, polygon: Polygon, language: str) -> str:
     return " + ".join(terms) + " = 0"
 
 
-def group_shown(drawn: Drawn, made: Forces, solved: Solved) -> GroupFigure:
+def _wheel_shown(made: Forces, solved: SolvedWheel) -> GroupFigure:
+    """Return what the figure of a wheel shows: both parts of the tooth's force, the reaction of its pin."""
+    (link,), unknown = solved.links, list[Reactive]()
+    for part in solved.parts:
+        assert part.side is not None
+        of = (part.value, part.arm, link) if part is solved.parts[0] else ()
+        unknown.append(Reactive(part.letter, solved.wheel.pitch, *part.side, *of))
+    pin = solved.reactions[1]
+    unknown.append(Reactive(pin.letter, solved.wheel.leg.pivot, pin.tail, pin.head))
+    acting = made.acting
+    loads = acting.forces.get(link, []), acting.couples.get(link, [])
+    return GroupFigure(solved.figure, (link,), *loads, unknown)
+
+
+def group_shown(drawn: Drawn, made: Forces, solved: Solved | SolvedWheel) -> GroupFigure:
     """Return what the figure of a group shows."""
+    if isinstance(solved, SolvedWheel):
+        return _wheel_shown(made, solved)
     closing, unknown = solved.closing, list[Reactive]()
     links = (*closing.group.links, *closing.group.rods)
     # the sides of unknown size end a polygon, that of the first leg last

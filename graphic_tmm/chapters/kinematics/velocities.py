@@ -86,7 +86,8 @@ def _wheel(
     """Read the velocity of the pitch point, common to both wheels, about the centre of the one that rolls."""
     rolling, leg, pole = wheel.rolling, wheel.leg, plan.images.pole
     start, point = pivot_image(plan, leg), f"{rolling.letter}{rolling.pin}"
-    about = f"ω_{leg.link}·l_{{{point}}}" if start == pole else f"v_{rolling.pin} + v_{{{point}}}"
+    radius = f"l_{{{rolling.pin}{rolling.letter}}}"
+    about = f"ω_{leg.link}·{radius}" if start == pole else f"v_{rolling.pin} + v_{{{point}}}"
     square_to = rolling.letter if start == pole else f"{{{point}}}"
     draft.say(f"v_{rolling.letter} = {about},  v_{square_to} ⊥ {rolling.pin}{rolling.letter}")
     image = plan.images.of(rolling.on, wheel.pitch, rolling.letter, wheel.letter)

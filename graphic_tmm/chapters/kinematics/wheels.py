@@ -120,7 +120,7 @@ class Wheels:
         for number, at in ((rolling.link, centre), (rolling.on, other)):
             draft.figure("wheel", str(number), at, pitch)
         self.angles[link.number] = angle, bend
-        leg = PinLeg(link.number, rolling.arm, rolling.pin, centre, line, radius)
+        leg = PinLeg(link.number, rolling.body, rolling.pin, centre, line, radius)
         self.drawn.append(Meshed(rolling, leg, pitch, angle))
 
     def _angle(self, rolling: Rolling, bend: float) -> Mark:
