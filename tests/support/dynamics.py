@@ -33,6 +33,7 @@ from support.wrenches import (
     carried,
     loads_of,
     on_both,
+    pressed,
     solved,
     stage_of,
 )
@@ -157,13 +158,21 @@ def statics(
     centres, couples -J ε on the links; none on the frame. The balancing force acts at the driving
     link's pin, positive along +90° from pivot → pin. Friction of a sliding pair acts on the slider
     against its slip, along the guide through the letter ``at[guide]``; that of a turning pair is
-    the couple f·radius·|R|. Pairs at rest (1e-12 of the largest rate) have none.
+    the couple f·radius·|R|. Pairs at rest (1e-12 of the largest rate) have none. Teeth press wheels apart by
+    tan α of their force along the common tangent.
     """
     stage, structure = stage_of(mechanism, state, digits), dissect(mechanism)
     loads = loads_of(stage, forces, moments, gravity, inertia)
     units = [unit for pair in structure.pairs for unit in carried(stage, pair, at)]
+    teeth = [pressed(stage, mesh) for mesh in mechanism.meshes]
+    units += [across for across, _ in teeth]
     units.append(balancing(stage, structure, balance))
     found = [_rub(stage, pair, 2 * k, friction, at) for k, pair in enumerate(structure.pairs)]
+    first = 2 * len(structure.pairs)
+    found += [
+        _Rub(Pair("K", "", mesh.links), [first + k], apart)
+        for k, (mesh, (_, apart)) in enumerate(zip(mechanism.meshes, teeth, strict=True))
+    ]
     rubs = [(rub, stage.column(rub.unit)) for rub in found if rub is not None]
     matrix = np.array([stage.column(unit) for unit in units]).T
     x, jacobian = _rubbing(
@@ -178,6 +187,9 @@ def statics(
     condition = float(np.linalg.cond(np.asarray(jacobian, dtype=float)))
     turned = x[-1] * (state.size if balance == "moment" else 1)
     forces_by, couples, slips, drags = _told(stage, structure.pairs, at, x, [r for r, _ in rubs])
+    for k, (mesh, (across, apart)) in enumerate(zip(mechanism.meshes, teeth, strict=True), first):
+        force = x[k] * across[0].force + abs(x[k]) * apart[0].force
+        forces_by |= {mesh.links: force, mesh.links[::-1]: -force}
     size = sum(abs(wrench.force) + abs(wrench.couple) for wrench in loads) + sum(abs(x))
     total = (turned, sum(powers), size * stage.fastest * stage.size, condition)
     return Statics(forces_by, couples, slips, drags, *total)

@@ -23,6 +23,7 @@ from graphic_tmm.chapters.kinematics.by_drive import draw_by_drive
 from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
+from graphic_tmm.chapters.kinematics.wheels import Wound
 from graphic_tmm.mechanism.structure import Structure, dissect
 from support import dynamics
 from support.dynamics import Loaded, Statics, put_loads
@@ -83,13 +84,14 @@ def solve(
     *,
     turned: bool = False,
     judged: bool = True,
+    wound: Wound | None = None,
 ) -> Solved:
     """Draw and execute the forces of a mechanism at a crank angle (degrees); ask the judge if ``judged``."""
     mechanism = loaded.mechanism
     structure, draft = dissect(mechanism), Draft()
     frame = draw_frame(draft, mechanism, structure)
     angle = draft.board.take(Angle, "φ", "°")
-    positions = draw_positions(draft, mechanism, structure, frame, [angle])
+    positions = draw_positions(draft, mechanism, structure, frame, [angle], wound)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
     accelerations = None
     if order.inertia:

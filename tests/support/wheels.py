@@ -41,7 +41,7 @@ def near(drawn: Sampled) -> Wound:
 
     def wound(number: int, wheels: Wheels) -> Winding:
         turned = math.degrees(drawn.poses[number][2])
-        return Winding(0.0, turned + wheels.bodies[number].angle)
+        return Winding(0, turned + wheels.bodies[number].angle)
 
     return wound
 

@@ -15,7 +15,7 @@ import mpmath  # type: ignore[import-untyped]
 import numpy as np
 
 from graphic_tmm.mechanism.groups import Pair
-from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.mechanism.records import Mechanism, Mesh
 from graphic_tmm.mechanism.structure import Structure
 from support.oracle import Numbers, OracleError, State
 
@@ -156,6 +156,21 @@ def carried(stage: Stage, pair: Pair, at: Mapping[str, str]) -> list[list[Wrench
     slider, owner = pair.links
     normal = on_both(owner, slider, 1j * along, place, nothing)
     return [normal, on_both(owner, slider, nothing, place, one)]
+
+
+def pressed(stage: Stage, mesh: Mesh) -> tuple[list[Wrench], list[Wrench]]:
+    """What teeth do, of the first wheel on the second: 1 along the tangent, and apart for each of that."""
+    start, end = (
+        stage.place(letter, link) for letter, link in zip(mesh.centres, mesh.links, strict=True)
+    )
+    nothing, (first, second) = stage.number(0), map(stage.number, mesh.sizes)
+    share = first / (first - second) if mesh.internal else first / (first + second)
+    pitch, way = start + (end - start) * share, (end - start) / abs(end - start)
+    steep = mpmath.tan(stage.number(mesh.pressure) * mpmath.pi / 180)
+    apart = (-way if mesh.internal else way) * (steep if stage.digits else float(steep))
+    return on_both(*mesh.links, 1j * way, pitch, nothing), on_both(
+        *mesh.links, apart, pitch, nothing
+    )
 
 
 def balancing(stage: Stage, structure: Structure, balance: str) -> list[Wrench]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 
@@ -41,6 +42,8 @@ from graphic_tmm.mechanism.structure import Structure, dissect
 
 STEPS = 1440
 """So many places are tried: every quarter of a degree of a turn."""
+TRIED, COUNTED, SAME = 3, (1, -1, 2, -2, 3, -3), 1e-6
+"""So many turns are tried to see what an angle counts on by, times what; swings nearer are alike (°)."""
 WHOLE = 1e-9
 """A number of turns that is off a whole one by no more than this is that, rounded."""
 
@@ -160,22 +163,36 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
 def winding(wheels: Wheels, number: int) -> Winding:
     """Return how the angle of a link goes on while the drive goes through all that it can, by trying.
 
-    Its turns are counted; without them it swings about a middle, by less than half a turn to either side.
+    It is counted along the drive's coordinate or the angle of a wheel that stands already, whichever it keeps
+    nearest to; it has to stay within half a turn of that.
     """
     draft, mechanism = wheels.draft, wheels.mechanism
     axis, row = wheels.bodies[number].axis, wheels.row[0]
     sweep = driven(mechanism, dissect(mechanism))[0].sweep
-    way = np.linspace(sweep.low, sweep.high, STEPS + 1)[None, :]
-    given = draft.given | {draft.mu_l: 1.0, row: way} | standing(wheels, way)
-    along = execute(draft.board.construction(), given, [axis])[axis].along
-    along = np.broadcast_to(along, way.shape)[0]
+    turns = TRIED if sweep.closed else 1
+    way = np.linspace(sweep.low, sweep.low + turns * (sweep.high - sweep.low), turns * STEPS + 1)
+    given = draft.given | {draft.mu_l: 1.0, row: way[None, :]} | standing(wheels, way[None, :])
+    marks = [axis, *wheels.counted]
+    reading = execute(draft.board.construction(), given, marks)
+    along = np.broadcast_to(reading[axis].along, (1, way.size))[0]
     there = np.isfinite(along)
-    if not there.any():
-        return Winding(0.0, 0.0)
-    angles = np.degrees(np.unwrap(np.angle(along[there])))
-    turns = round(float(angles[-1] - angles[0]) / TURN.high) if sweep.closed and there.all() else 0
-    swings = angles - turns * way[0][there]
-    if np.ptp(swings) >= TURN.high:
+    for mark in wheels.counted:
+        there = there & np.isfinite(reading[mark][0])
+    runs = np.split(np.flatnonzero(there), np.flatnonzero(np.diff(np.flatnonzero(there)) > 1) + 1)
+    best, least = Winding(0, 0.0), TURN.high
+    for by, times in [(-1, 0), *product(range(len(wheels.counted)), COUNTED)]:
+        line = reading[wheels.counted[by]][0] * times if times else np.zeros(way.size)
+        swings = np.broadcast_to(line, way.shape)
+        parts = [np.degrees(np.unwrap(np.angle(along[k]))) - swings[k] for k in runs if k.size]
+        if not parts:
+            break
+        whole = [
+            part - TURN.high * round((part - parts[0].mean()).mean() / TURN.high) for part in parts
+        ]
+        low, high = (float(f(np.concatenate(whole))) for f in (np.min, np.max))
+        if high - low < least - SAME:
+            best, least = Winding(times, round((low + high) / 2.0, 1), by), high - low
+    if least >= TURN.high and there.any():
         raise StructureError(
             said(
                 "a wheel rolls by the angle of link {number}, which swings by more than a whole turn and back: "
@@ -185,7 +202,7 @@ def winding(wheels: Wheels, number: int) -> Winding:
             f"link {number}",
             head="mesh",
         )
-    return Winding(float(turns), round(float(swings.max() + swings.min()) / 2.0, 1))
+    return best
 
 
 def _steady(mechanism: Mechanism, structure: Structure) -> tuple[Mechanism, Structure]:

@@ -15,6 +15,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import angle_by_angle
 from graphic_tmm.board.operations.instruments import join, lay_off, parallel, ray
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
     Closing,
@@ -54,10 +55,14 @@ WHEEL_AXIS = said(
 
 
 class Winding(NamedTuple):
-    """How a link's angle goes on: by ``turns`` with each turn of the drive, near ``middle`` + that, degrees."""
+    """How a link's angle goes on: near ``middle`` (degrees) and so many ``times`` what it is counted by.
 
-    turns: float
+    ``by``: of `Wheels.counted`.
+    """
+
+    times: int
     middle: float
+    by: int = 0
 
 
 Wound = Callable[[int, "Wheels"], Winding]
@@ -89,6 +94,12 @@ class Wheels:
         """The plan of positions as far as it is drawn."""
         drawn, row = tuple(self.drawn), tuple(self.row)
         return Positions(self.bodies, tuple(self.closings), self.sides, row, (), drawn)
+
+    @property
+    def counted(self) -> tuple[Mark, ...]:
+        """The angles that go on without a leap: of what is driven, of the wheels drawn so far."""
+        angles = (*self.row, *(one.angle for one in self.drawn))
+        return tuple(mark for mark in angles if mark.kind is Angle)
 
     def drive(self, pair: DrivenPair, at: Mark) -> None:
         """Note where a drive stands."""
@@ -166,12 +177,12 @@ class Wheels:
     def _read(self, number: int) -> Mark:
         draft, axis = self.draft, self.bodies[number].axis
         assert self.wound is not None, number
-        turns, middle = self.wound(number, self)
+        times, middle, by = self.wound(number, self)
         near = draft.direction(middle)
-        if turns:
-            zero, share = draft.direction(0.0), draft.constant("", turns, "")
+        if times:
+            zero, share = draft.direction(0.0), draft.constant("", float(times), "")
             near = draft.draw(
-                angle_by_angle, f"φ′_{number}", near, share, self.row[0], zero, unit="°"
+                angle_by_angle, f"φ′_{number}", near, share, self.counted[by], zero, unit="°"
             )
         return draft.draw(bearing_near, f"φ_{number}", axis, near, unit="°")
 

@@ -1,0 +1,78 @@
+"""Forces through the teeth of wheels on links against Newton and Euler; what a scene is told of them."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from support.loaded import errors, order_of, solve, weighed
+from support.wheel_loops import FiveBar
+from support.wheels import geared, near
+
+import graphic_tmm as tmm
+from graphic_tmm.errors import TmmError
+
+RATIO = 1e-9
+
+
+def _all_hold(seeds: range) -> None:
+    for seed in seeds:
+        drawn = geared(seed, 1 + seed % 2)
+        loaded = weighed(drawn, seed)
+        order = order_of(
+            loaded,
+            gravity=bool(seed % 2),
+            inertia=bool(seed % 3),
+            balance="force" if seed % 5 < 3 else "moment",
+        )
+        poses = {k: pose for k, pose in drawn.poses.items() if k != drawn.mechanism.frame.number}
+        solved = solve(
+            loaded, drawn.phi, poses, order, turned=bool(seed % 7 < 3), wound=near(drawn)
+        )
+        found = errors(solved)
+        assert max(found.values()) <= RATIO, (seed, found)
+
+
+def test_wheels_on_any_links_bear_as_newton_and_euler_say() -> None:
+    _all_hold(range(8))
+
+
+@pytest.mark.slow
+def test_many_wheels_on_any_links_bear_as_newton_and_euler_say() -> None:
+    _all_hold(range(100, 250))
+
+
+LOADED = (
+    FiveBar(0.04, 0.12, 0.12, 0.025, 0.12, (40, 20), phase=60.0).scene
+    + """
+[[load]]
+link = 2
+point = "B"
+force = 150
+direction = "-90 deg"
+[forces]
+positions = [2]
+balance = "moment"
+"""
+)
+
+
+@pytest.mark.parametrize("alpha", [15.0, 20.0, 25.0])
+def test_the_tooth_presses_along_the_line_of_action(alpha: float) -> None:
+    """The part along the tangent is M/r whatever α, the force is that by cos α; the balance is the same."""
+    text = LOADED.replace("internal = false", f"internal = false\nalpha = {alpha}")
+    found = tmm.motion(text, [40.0], plans=("forces",), exact=True)
+    plain = tmm.motion(LOADED, [40.0], plans=("forces",), exact=True)
+    force, usual = (abs(one.forces["R14"][0]) for one in (found, plain))
+    assert force * math.cos(math.radians(alpha)) == pytest.approx(
+        usual * math.cos(math.radians(20.0)), rel=1e-12
+    )
+    assert found.balance["M_bal_forces"][0] == pytest.approx(
+        plain.balance["M_bal_forces"][0], rel=1e-12
+    )
+
+
+def test_friction_is_refused_beside_wheels() -> None:
+    text = LOADED + '[effects]\nfriction = true\n[friction]\nf = 0.1\nradius = "10 mm"\n'
+    with pytest.raises(TmmError, match="not between the teeth of wheels on links"):
+        _ = tmm.draw(text).sheets
