@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
@@ -13,7 +14,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.gears import words as why
 from graphic_tmm.chapters.gears.dimensions import VIEW, GearSizes
-from graphic_tmm.chapters.gears.formulas import percent_off, ratio_of
+from graphic_tmm.chapters.gears.formulas import at_least, percent_off, ratio_of
 from graphic_tmm.chapters.gears.line import ActionLine
 from graphic_tmm.chapters.gears.rolling import (
     angle_at,
@@ -56,12 +57,25 @@ class Contact:
     difference: Mark
 
 
+NEAR = 0.1
+"""A flank that works within this share of the base radius from its limit ends within half a percent of it
+above the base circle: a ruler may read less than the base radius there."""
+
+
 def draw_contact(
-    draft: Draft, sizes: GearSizes, line: ActionLine, wheels: tuple[Wheel, Wheel]
+    draft: Draft,
+    sizes: GearSizes,
+    line: ActionLine,
+    wheels: tuple[Wheel, Wheel],
+    value: Callable[[Mark], float],
 ) -> Contact:
     """Draw the working parts of the flanks and the arcs of engagement; measure the contact ratio."""
     (a, b) = line.ends
-    engaged = (_engagement(draft, 0, line, wheels[0]), _engagement(draft, 1, line, wheels[1]))
+    near = [0.0 <= value(w.lowest) < NEAR * value(w.r_b) for w in sizes.wheels]
+    engaged = (
+        _engagement(draft, 0, line, wheels[0], near[0]),
+        _engagement(draft, 1, line, wheels[1], near[1]),
+    )
     pitch = draft.draw(to_board, "[p_{b}]", sizes.p_b)
     onward = draft.draw(parallel, "(ab)", a, line.line, sense=1, why=why.NEXT_PAIR)
     backward = draft.draw(parallel, "(ba)", b, line.line, sense=-1, why=why.NEXT_PAIR)
@@ -73,10 +87,10 @@ def draw_contact(
     return Contact(engaged, (first, second), measured, drawn, off)
 
 
-def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagement:
+def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel, near: bool) -> Engagement:
     """Turn the flank through the pitch point to where it touches in a, and in b.
 
-    In the wheel's own limit point it touches where the involute begins, on the base circle.
+    In the wheel's own limit point it touches where the involute begins, on the base circle; ``near``: it is.
     """
     centre, i = wheel.circles.centre, k + 1
     turned, crossings, lows = [], [], []
@@ -85,6 +99,9 @@ def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagem
             spot = wheel.origin
         else:
             reach = draft.draw(measure, f"O_{{{i}}}{end.letter}", centre, end, why=why.TURNED_FLANK)
+            if near and name == "ab"[k]:
+                least = next(m for m in draft.uses(wheel.circles.base) if m != centre)
+                reach = draft.draw(at_least, f"O_{{{i}}}{end.letter}", reach, least)
             arc = draft.draw(
                 strike, f"(O_{{{i}}}{end.letter})", centre, reach, why=why.TURNED_FLANK
             )
@@ -107,7 +124,7 @@ def _engagement(draft: Draft, k: int, line: ActionLine, wheel: Wheel) -> Engagem
             draft.draw(turn_about, letter, line.pole, centre, angle, sense=1, why=why.TURNED_FLANK)
         )
         lows.append(spot)
-    sense = 1 if k else -1
+    sense = 1 if k and wheel.sizes.cut else -1
     length = draft.draw(measure_arc, f"c_{i}d_{i}", *crossings, wheel.circles.working, sense=sense)
     real = draft.draw(in_si, f"c_{i}d_{i}·μ", length, unit="m")
     return Engagement(lows[k], turned[0], turned[1], (crossings[0], crossings[1]), length, real)
@@ -123,7 +140,8 @@ class Check:
 
     ``name``: "pointed tooth" (tip thickness against 0), "tip thickness" (against its usual limit), "undercut"
     (shift against the least one), "interference" (the lowest working radius of curvature against that at which
-    the flank begins), "clearance" (at the root), "contact ratio". ``wheel``: 0 for the pair.
+    the flank begins), "clearance" (at the root), "contact ratio". Of a ring: "ring tip" (not beyond N1), "root
+    space", "tip overlap" and "assembly" (what is left between the corners). ``wheel``: 0 for the pair.
     """
 
     name: str
@@ -150,16 +168,26 @@ def record_checks(draft: Draft, sizes: GearSizes) -> tuple[Check, ...]:
     draft.open(VIEW)
     zero = draft.take(Number, "0", 0.0, "m")
     one = draft.take(Number, "[ε_{α}]", 1.0)
-    teeth, found = float(sizes.order.z1 + sizes.order.z2), []
+    teeth, found = float(sum(sizes.order.teeth)), []
     size = sizes.order.m * teeth
     for wheel in sizes.wheels:
         i = wheel.number
         found += [
             Check("pointed tooth", i, wheel.s_a, zero, size),
             Check("tip thickness", i, wheel.s_a, sizes.least_tip, size),
-            Check("undercut", i, wheel.x, wheel.x_min, teeth),
-            Check("interference", i, wheel.lowest, wheel.free, size),
-            Check("clearance", i, wheel.clearance, zero, size),
+        ]
+        if wheel.cut is not None:
+            found += [
+                Check("undercut", i, wheel.x, wheel.cut.x_min, teeth),
+                Check("interference", i, wheel.lowest, wheel.cut.free, size),
+            ]
+        found.append(Check("clearance", i, wheel.clearance, zero, size))
+    if (ring := sizes.ring) is not None:
+        found += [
+            Check("ring tip", 2, sizes.wheels[1].r_a, ring.least_tip, size),
+            Check("root space", 2, ring.space, zero, size),
+            Check("tip overlap", 0, ring.overlap, zero, size),
+            Check("assembly", 0, ring.assembly, zero, size),
         ]
     return (*found, Check("contact ratio", 0, sizes.contact_ratio, one, teeth))
 

@@ -1,4 +1,4 @@
-"""Dimensions of a pair of spur gears with shift, each a calculated step (m, degrees)."""
+"""Dimensions of a pair of gears with shift, each a calculated step (m, degrees)."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.energetics import added, share
-from graphic_tmm.board.operations.formulas import pitch_radius
+from graphic_tmm.board.operations.energetics import share
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears import rack
+from graphic_tmm.chapters.gears import ring as inside
+from graphic_tmm.chapters.gears.helical import Helix, draw_helix, normal_factor
+from graphic_tmm.chapters.gears.shifts import Axes, Section, calculate_axes, letter_of
 from graphic_tmm.chapters.gears.task import GearTask
 
 VIEW = "gear-dimensions"
@@ -31,18 +33,33 @@ class RackSizes:
 
 
 @dataclass(frozen=True)
+class RackCut:
+    """What the rack does to a wheel: how deep under the pitch circle the centre of its rounding lies (m).
+
+    ``x_min``: the least shift without undercut. ``limit``: the radius of curvature (m) at which the flank
+    begins, ``free``: the least it may work at.
+    """
+
+    rack: RackSizes
+    depth: Mark
+    x_min: Mark
+    limit: Mark
+    free: Mark
+
+
+@dataclass(frozen=True)
 class WheelSizes:
     """One wheel (Number, m; Angle): z, x, radii, thicknesses, tip angle, limits of its teeth.
 
-    ``pointed``: the radius where both flanks of a tooth meet, ``top``: that up to which the tooth is there, r_a
-    or this one. ``limit``: the radius of curvature (m) at which
-    the flank begins, ``lowest``: that of its lowest working point, ``free``: the least this may be.
-    ``depth``: how deep under the pitch circle the centre of the rack's rounding lies (m).
+    ``x_drawn``: its shift in the section that is drawn. ``pointed``: the radius where both flanks of a tooth
+    meet, ``top``: that up to which the tooth is there, r_a or this one; of a ring the base circle, if its tip
+    lies inside. ``lowest``: the radius of curvature of its lowest working point. ``cut``: None of a ring.
     """
 
     number: int
     z: Mark
     x: Mark
+    x_drawn: Mark
     r: Mark
     r_b: Mark
     r_w: Mark
@@ -51,29 +68,33 @@ class WheelSizes:
     s: Mark
     alpha_a: Mark
     s_a: Mark
-    pointed: Mark
     top: Mark
-    depth: Mark
-    x_min: Mark
-    limit: Mark
     lowest: Mark
-    free: Mark
     clearance: Mark
     angular_pitch: Mark
     p_w: Mark
+    pointed: Mark | None = None
+    cut: RackCut | None = None
+
+    @property
+    def x_min(self) -> Mark | None:
+        """The least shift without undercut; None of a ring."""
+        return self.cut.x_min if self.cut else None
 
 
 @dataclass(frozen=True)
 class GearSizes:
     """The pair (Number, m; Angle): what was given, distances, shifts, height, pitches, contact ratio ε.
 
-    ``beyond``: of each wheel, whether the teeth of the other reach beyond its limit point N.
+    ``alpha``: of the section that is drawn. ``x_sum``: of both shifts, if it is given or follows.
+    ``beyond``: of each wheel, whether the teeth of the other reach beyond its limit point N. ``ring``,
+    ``helix``: None if there is none.
     """
 
     order: GearTask
     m: Mark
+    module: Mark
     alpha: Mark
-    rack: RackSizes
     inv: Mark
     inv_w: Mark
     alpha_w: Mark
@@ -89,6 +110,14 @@ class GearSizes:
     least_tip: Mark
     wheels: tuple[WheelSizes, WheelSizes]
     beyond: tuple[bool, bool]
+    x_sum: Mark | None
+    ring: inside.Ring | None
+    helix: Helix | None
+
+    @property
+    def racks(self) -> tuple[RackSizes, ...]:
+        """The racks that cut the wheels."""
+        return tuple(wheel.cut.rack for wheel in self.wheels if wheel.cut)
 
 
 def known(draft: Draft) -> Callable[[Mark], float]:
@@ -97,91 +126,158 @@ def known(draft: Draft) -> Callable[[Mark], float]:
     return lambda mark: float(exact[mark][0, 0])
 
 
+class _Pair(NamedTuple):
+    """What a wheel is calculated from: both sections, the axes, Δy, the angles of mesh."""
+
+    normal: Section
+    drawn: Section
+    axes: Axes
+    dy: Mark
+    racks: tuple[RackSizes, RackSizes]
+    helix: Helix | None
+
+
 def calculate_sizes(draft: Draft, order: GearTask) -> GearSizes:
     """Calculate the dimensions of both wheels, the quality of their meshing and the limits of their teeth."""
     draft.open(VIEW)
-    m = draft.take(Number, "m", order.m, "m")
-    alpha = draft.take(Angle, "α", order.alpha, "°")
-    tool = _rack(draft, order, m, alpha)
-    z = [draft.take(Number, f"z_{i}", float(n)) for i, n in ((1, order.z1), (2, order.z2))]
-    x = [draft.take(Number, f"x_{i}", v) for i, v in ((1, order.x1), (2, order.x2))]
-    r = [draft.draw(pitch_radius, f"r_{k + 1}", m, z[k], unit="m") for k in range(2)]
-    inv = draft.draw(g.involute, "inv α", alpha)
-    inv_w = draft.draw(g.working_involute, "inv α_{w}", *x, alpha, *z)
-    alpha_w = draft.draw(g.angle_of_involute, "α_{w}", inv_w)
-    a = draft.draw(added, "a", *r, unit="m")
-    a_w = draft.draw(g.working_distance, "a_{w}", a, alpha, alpha_w, unit="m")
-    y = draft.draw(g.perceived_shift, "y", a_w, a, m)
+    m = draft.take(Number, letter_of(order, "m"), order.m, "m")
+    alpha = draft.take(Angle, letter_of(order, "α"), order.alpha, "°")
+    ha, c = _coefficients(draft, order)
+    normal = drawn = Section(m, alpha, ha, c)
+    helix = None if order.beta is None else draw_helix(draft, order.beta, m, alpha, ha, c)
+    if helix is not None:
+        drawn = Section(helix.m, helix.alpha, helix.ha, helix.c)
+    racks = _racks(draft, drawn)
+    axes = calculate_axes(draft, order, normal, drawn, helix)
+    y = draft.draw(g.perceived_shift, "y", axes.a_w, axes.a, m)
     if order.delta_y is None:
-        dy = draft.draw(g.equalising_shift, "Δy", *x, y)
+        op = inside.equalising_shift_inside if order.internal else g.equalising_shift
+        dy = draft.draw(op, "Δy", *axes.x, y)
     else:
         dy = draft.take(Number, "Δy", order.delta_y)
-    p = draft.draw(g.pitch_of, "p", m, unit="m")
-    p_b = draft.draw(g.times_cosine, "p_{b}", p, alpha, unit="m")
-    h = draft.draw(g.tooth_height, "h", m, tool.ha, tool.c, dy, unit="m")
-    h_w = draft.draw(g.working_depth, "h_{w}", m, tool.ha, dy, unit="m")
-    shape = [
-        _shape(draft, k + 1, (m, alpha, alpha_w, dy), tool, (z[k], x[k], r[k])) for k in range(2)
-    ]
+    p = draft.draw(g.pitch_of, letter_of(order, "p"), drawn.m, unit="m")
+    p_b = draft.draw(g.times_cosine, letter_of(order, "p_{b}"), p, drawn.alpha, unit="m")
+    same = normal.ha[0] is normal.ha[1]
+    heights = _heights(draft, normal, dy, {}) if same else None
+    pair = _Pair(normal, drawn, axes, dy, racks, helix)
+    shape = [_shape(draft, pair, k, order) for k in range(2)]
+    h, h_w = heights or _heights(draft, normal, dy, shape[0])
     value = known(draft)
     tops = [_top(one, value) for one in shape]
-    limits = [_limits(draft, k, (a_w, alpha_w), shape, tops[1 - k]) for k in range(2)]
+    limits = [_limits(draft, k, pair, shape, tops[1 - k], order.internal) for k in range(2)]
     value = known(draft)
     beyond = (value(limits[0]["lowest"]) < 0.0, value(limits[1]["lowest"]) < 0.0)
-    tips = (tops[0].angle, tops[1].angle)
-    ratio = _contact_ratio(draft, (z[0], z[1]), tips, alpha_w, beyond)
+    ring = _check_ring(draft, pair, shape, tops, beyond[0], p) if order.internal else None
+    ratio = _contact_ratio(draft, axes, (tops[0].angle, tops[1].angle), beyond, order.internal)
     k_tip = draft.take(Number, "k_{s}", order.least_tip)
     least = draft.draw(share, "[s_{a}]", m, k_tip, unit="m")
-    wheels = [
-        WheelSizes(k + 1, z[k], x[k], r[k], **shape[k], top=tops[k].radius, **limits[k])
-        for k in range(2)
-    ]
+    wheels = [_wheel(pair, k, shape[k], tops[k], limits[k]) for k in range(2)]
     return GearSizes(
-        order, m, alpha, tool, inv, inv_w, alpha_w, a, a_w, y, dy, p, p_b, h, h_w, ratio, least,
-        (wheels[0], wheels[1]), beyond,
+        order, m, drawn.m, drawn.alpha, axes.inv, axes.inv_w, axes.alpha_w, axes.a, axes.a_w, y, dy, p, p_b,
+        h, h_w, ratio, least, (wheels[0], wheels[1]), beyond, axes.x_sum, ring, helix,
     )  # fmt: skip
 
 
-def _rack(draft: Draft, order: GearTask, m: Mark, alpha: Mark) -> RackSizes:
-    """Take the coefficients of the basic rack and calculate the rounding of its tip."""
-    ha, c = draft.take(Number, "h_{a}^{*}", order.ha), draft.take(Number, "c^{*}", order.c)
-    rounding = draft.draw(rack.rounding, "ρ_{f}", m, ha, c, alpha, unit="m")
-    straight = draft.draw(rack.straight_depth, "h_{l}", ha, c, m, rounding, alpha, unit="m")
-    offset = draft.draw(rack.rounding_offset, "e_{F}", m, ha, c, rounding, alpha, unit="m")
-    return RackSizes(ha, c, rounding, straight, offset)
+def _coefficients(draft: Draft, order: GearTask) -> tuple[tuple[Mark, Mark], Mark]:
+    """Take the addenda of both wheels, one mark if they are the same, and the clearance."""
+    if isinstance(order.ha, tuple):
+        one, other = (draft.take(Number, f"h_{{a{i}}}^{{*}}", v) for i, v in enumerate(order.ha, 1))
+        return (one, other), draft.take(Number, "c^{*}", order.c)
+    ha = draft.take(Number, "h_{a}^{*}", order.ha)
+    return (ha, ha), draft.take(Number, "c^{*}", order.c)
 
 
-def _shape(
-    draft: Draft,
-    i: int,
-    pair: tuple[Mark, Mark, Mark, Mark],
-    tool: RackSizes,
-    wheel: tuple[Mark, Mark, Mark],
-) -> dict[str, Mark]:
-    """Calculate the radii and thicknesses of a wheel; ``pair``: m, α, α_w, Δy; ``wheel``: z, x, r."""
-    (m, alpha, alpha_w, dy), (z, x, r) = pair, wheel
+def _racks(draft: Draft, drawn: Section) -> tuple[RackSizes, RackSizes]:
+    """Calculate the rounding at the tips of the racks; a wheel's has the addendum of its mate."""
+
+    def cutting(ha: Mark, i: str) -> RackSizes:
+        rest = (drawn.c, drawn.alpha)
+        rounding = draft.draw(rack.rounding, f"ρ_{{f{i}}}", drawn.m, ha, *rest, unit="m")
+        depth = (ha, drawn.c, drawn.m, rounding, drawn.alpha)
+        straight = draft.draw(rack.straight_depth, f"h_{{l{i}}}", *depth, unit="m")
+        depth = (drawn.m, ha, drawn.c, rounding, drawn.alpha)
+        offset = draft.draw(rack.rounding_offset, f"e_{{F{i}}}", *depth, unit="m")
+        return RackSizes(ha, drawn.c, rounding, straight, offset)
+
+    one, other = drawn.ha
+    if one is other:
+        same = cutting(one, "")
+        return same, same
+    return cutting(other, "1"), cutting(one, "2")
+
+
+def _heights(draft: Draft, normal: Section, dy: Mark, first: dict[str, Mark]) -> tuple[Mark, Mark]:
+    """Calculate the height of a tooth, and without the clearance; ``first``: the radii of wheel 1."""
+    (m, _, (ha, mate), c) = normal
+    if ha is mate:
+        h = draft.draw(g.tooth_height, "h", m, ha, c, dy, unit="m")
+        return h, draft.draw(g.working_depth, "h_{w}", m, ha, dy, unit="m")
+    h = draft.draw(inside.less, "h", first["r_a"], first["r_f"], unit="m")
+    return h, draft.draw(inside.less, "h_{w}", h, draft.draw(share, "c", m, c, unit="m"), unit="m")
+
+
+def _shape(draft: Draft, pair: _Pair, k: int, order: GearTask) -> dict[str, Mark]:
+    """Calculate the radii and thicknesses of a wheel."""
+    (m, _, ha, c), (wide, alpha, *_), i = pair.normal, pair.drawn, k + 1
+    x, r, shift = pair.axes.x[k], pair.axes.r[k], pair.axes.x_drawn[k]
+    root, tip, thick = how = _RING if order.internal and k else _WHEEL
     r_b = draft.draw(g.times_cosine, f"r_{{b{i}}}", r, alpha, unit="m")
-    r_w = draft.draw(g.over_cosine, f"r_{{w{i}}}", r_b, alpha_w, unit="m")
-    r_f = draft.draw(g.root_radius, f"r_{{f{i}}}", r, m, tool.ha, tool.c, x, unit="m")
-    r_a = draft.draw(g.tip_radius, f"r_{{a{i}}}", r, m, tool.ha, x, dy, unit="m")
-    s = draft.draw(g.tooth_thickness, f"s_{i}", m, x, alpha, unit="m")
+    r_w = draft.draw(g.over_cosine, f"r_{{w{i}}}", r_b, pair.axes.alpha_w, unit="m")
+    r_f = draft.draw(root, f"r_{{f{i}}}", r, m, ha[1 - k], c, x, unit="m")
+    r_a = draft.draw(tip, f"r_{{a{i}}}", r, m, ha[k], x, pair.dy, unit="m")
+    s = draft.draw(thick, letter_of(order, "s", i), wide, shift, alpha, unit="m")
+    found = {"r_b": r_b, "r_w": r_w, "r_f": r_f, "r_a": r_a, "s": s}
+    found |= (_ringed if how is _RING else _cut)(draft, pair, k, order, found)
+    found["angular_pitch"] = draft.draw(g.angular_pitch, f"τ_{i}", pair.axes.z[k])
+    found["p_w"] = draft.draw(g.arc_of_pitch, f"p_{{w{i}}}", r_w, pair.axes.z[k], unit="m")
+    return found
+
+
+def _cut(
+    draft: Draft, pair: _Pair, k: int, order: GearTask, shape: dict[str, Mark]
+) -> dict[str, Mark]:
+    """Calculate the tip of a wheel, where its teeth are pointed, and what the rack leaves of them."""
+    (wide, alpha, *_), tool, axes, i = pair.drawn, pair.racks[k], pair.axes, k + 1
+    (r_b, _, _, r_a, s), r, shift = shape.values(), axes.r[k], axes.x_drawn[k]
     alpha_a = draft.draw(g.tip_angle, f"α_{{a{i}}}", r_b, r_a)
-    s_a = draft.draw(g.tip_thickness, f"s_{{a{i}}}", r_a, s, r, alpha, alpha_a, unit="m")
+    thin = (r_a, s, r, alpha, alpha_a)
+    s_a = draft.draw(g.tip_thickness, letter_of(order, "s_{a}", i), *thin, unit="m")
     inv_p = draft.draw(g.pointed_involute, f"inv α_{{p{i}}}", s, r, alpha)
     alpha_p = draft.draw(g.angle_of_involute, f"α_{{p{i}}}", inv_p)
     pointed = draft.draw(g.over_cosine, f"r_{{p{i}}}", r_b, alpha_p, unit="m")
-    depth = draft.draw(
-        rack.rounding_depth, f"d_{{F{i}}}", tool.ha, tool.c, x, m, tool.rounding, unit="m"
-    )
-    x_min = draft.draw(rack.least_shift, f"x_{{min{i}}}", tool.straight, m, z, alpha)
-    limit = draft.draw(rack.limit_curvature, f"ρ_{{l{i}}}", r, alpha, tool.straight, x, m, unit="m")
-    tau = draft.draw(g.angular_pitch, f"τ_{i}", z)
-    p_w = draft.draw(g.arc_of_pitch, f"p_{{w{i}}}", r_w, z, unit="m")
+    deep = (tool.ha, pair.drawn.c, shift, wide, tool.rounding)
+    depth = draft.draw(rack.rounding_depth, f"d_{{F{i}}}", *deep, unit="m")
+    least = "x_{min}" if pair.helix is None else "x_{t min}"
+    flat = (tool.straight, wide, axes.z[k], alpha)
+    x_min = draft.draw(rack.least_shift, f"{least[:-1]}{i}}}", *flat)
+    if pair.helix is not None:
+        x_min = draft.draw(normal_factor, letter_of(order, "x_{min}", i), x_min, pair.helix.beta)
+    ends = (r, alpha, tool.straight, shift, wide)
+    limit = draft.draw(rack.limit_curvature, f"ρ_{{l{i}}}", *ends, unit="m")
     return {
-        "r_b": r_b, "r_w": r_w, "r_f": r_f, "r_a": r_a, "s": s, "alpha_a": alpha_a, "s_a": s_a,
-        "pointed": pointed, "alpha_p": alpha_p, "depth": depth, "x_min": x_min, "limit": limit,
-        "angular_pitch": tau, "p_w": p_w,
+        "alpha_a": alpha_a, "s_a": s_a, "pointed": pointed, "alpha_p": alpha_p, "depth": depth,
+        "x_min": x_min, "limit": limit,
     }  # fmt: skip
+
+
+def _ringed(
+    draft: Draft, pair: _Pair, k: int, order: GearTask, shape: dict[str, Mark]
+) -> dict[str, Mark]:
+    """Calculate tip and root of a ring's teeth; where the tip lies inside the base circle they end there."""
+    (r_b, _, r_f, r_a, s), (_, alpha, *_) = shape.values(), pair.drawn
+    value, rest = known(draft), (s, pair.axes.r[k], alpha)
+    top = r_b if value(r_a) < value(r_b) else r_a
+    alpha_a = draft.draw(g.tip_angle, "α_{a2}", r_b, top)
+    name = letter_of(order, "s_{a}", 2)
+    s_a = draft.draw(inside.ring_thickness_at, name, top, *rest, alpha_a, unit="m")
+    alpha_f = draft.draw(g.tip_angle, "α_{f2}", r_b, r_f)
+    s_f = draft.draw(inside.ring_thickness_at, "s_{f2}", r_f, *rest, alpha_f, unit="m")
+    return {"alpha_a": alpha_a, "s_a": s_a, "top": top, "s_f": s_f}
+
+
+_WHEEL = (g.root_radius, g.tip_radius, g.tooth_thickness)
+_RING = (inside.ring_root, inside.ring_tip, inside.ring_thickness)
+"""By which formulas root and tip radius and thickness of a tooth follow."""
 
 
 class _Top(NamedTuple):
@@ -192,40 +288,75 @@ class _Top(NamedTuple):
 
 
 def _top(shape: dict[str, Mark], value: Callable[[Mark], float]) -> _Top:
-    """Return where a tooth ends: on its tip circle, or below it where its flanks meet."""
-    apex = shape.pop("alpha_p")
-    if value(shape["s_a"]) < 0.0:
+    """Return where a tooth ends: on its tip circle, or before, where its flanks meet or its involute ends."""
+    apex = shape.pop("alpha_p", None)
+    if apex is not None and value(shape["s_a"]) < 0.0:
         return _Top(shape["pointed"], apex)
-    return _Top(shape["r_a"], shape["alpha_a"])
+    return _Top(shape.pop("top", shape["r_a"]), shape["alpha_a"])
 
 
 def _contact_ratio(
-    draft: Draft,
-    z: tuple[Mark, Mark],
-    tips: tuple[Mark, Mark],
-    alpha_w: Mark,
-    beyond: tuple[bool, bool],
+    draft: Draft, axes: Axes, tips: tuple[Mark, Mark], beyond: tuple[bool, bool], internal: bool
 ) -> Mark:
     """Calculate the contact ratio: from tip to tip, or from a limit point beyond which a tip reaches."""
+    z = axes.z
     if all(beyond):
-        return draft.draw(g.contact_of_limits, "ε_{α}", *z, alpha_w)
+        return draft.draw(g.contact_of_limits, "ε_{α}", *z, axes.alpha_w)
     for k in range(2):
         if beyond[k]:
             return draft.draw(g.contact_from_limit, "ε_{α}", z[k], tips[k])
-    return draft.draw(g.contact_ratio, "ε_{α}", z[0], tips[0], z[1], tips[1], alpha_w)
+    op = inside.contact_ratio_inside if internal else g.contact_ratio
+    return draft.draw(op, "ε_{α}", z[0], tips[0], z[1], tips[1], axes.alpha_w)
 
 
 def _limits(
-    draft: Draft, k: int, pair: tuple[Mark, Mark], shape: list[dict[str, Mark]], top: _Top
+    draft: Draft, k: int, pair: _Pair, shape: list[dict[str, Mark]], top: _Top, internal: bool
 ) -> dict[str, Mark]:
     """Calculate where a wheel's flank works lowest, how low it may, and the clearance at its root.
 
     ``top``: of the other wheel's teeth.
     """
-    (a_w, alpha_w), own, r_b = pair, shape[k], shape[1 - k]["r_b"]
-    lowest = draft.draw(
-        rack.lowest_curvature, f"ρ_{{p{k + 1}}}", a_w, alpha_w, r_b, top.angle, unit="m"
+    own, axes, i = shape[k], pair.axes, k + 1
+    how = (inside.lowest_inside, inside.farthest_inside)[k] if internal else rack.lowest_curvature
+    reach = (axes.a_w, axes.alpha_w, shape[1 - k]["r_b"], top.angle)
+    found = {"lowest": draft.draw(how, f"ρ_{{p{i}}}", *reach, unit="m")}
+    if "limit" in own:
+        found["free"] = draft.draw(rack.not_negative, f"[ρ_{{p{i}}}]", own["limit"], unit="m")
+    gap = (top.radius, own["r_f"])
+    if internal:
+        gap = (shape[1]["r_a"], own["r_f"]) if k == 0 else gap[::-1]
+    clear = inside.clearance_inside if internal else g.tip_clearance
+    found["clearance"] = draft.draw(clear, f"c_{i}", axes.a_w, *gap, unit="m")
+    return found
+
+
+def _check_ring(
+    draft: Draft, pair: _Pair, shape: list[dict[str, Mark]], tops: list[_Top], cut: bool, p: Mark
+) -> inside.Ring:
+    """Calculate what is asked of a ring only; ``cut``: its tips reach beyond N1."""
+    axes, own = pair.axes, shape[1]
+    marks = inside.check_ring(
+        draft, (axes.a_w, axes.alpha_w), axes.z, (tops[0], tops[1]), own["r_b"]
     )
-    free = draft.draw(rack.not_negative, f"[ρ_{{p{k + 1}}}]", own["limit"], unit="m")
-    clearance = draft.draw(g.tip_clearance, f"c_{k + 1}", a_w, top.radius, own["r_f"], unit="m")
-    return {"lowest": lowest, "free": free, "clearance": clearance}
+    space = draft.draw(
+        inside.root_space, "e_{f2}", p, axes.r[1], own["r_f"], own.pop("s_f"), unit="m"
+    )
+    uncut = None
+    if cut:
+        angles = (axes.z[0], tops[0].angle, axes.z[1], tops[1].angle, axes.alpha_w)
+        uncut = draft.draw(inside.contact_ratio_inside, "[ε_{α}]", *angles)
+    return inside.Ring(*marks, space, uncut)
+
+
+def _wheel(
+    pair: _Pair, k: int, shape: dict[str, Mark], top: _Top, limits: dict[str, Mark]
+) -> WheelSizes:
+    """Put together what was calculated of a wheel."""
+    cut, axes = None, pair.axes
+    if "limit" in shape:
+        depth, x_min, limit = (shape.pop(name) for name in ("depth", "x_min", "limit"))
+        cut = RackCut(pair.racks[k], depth, x_min, limit, limits.pop("free"))
+    return WheelSizes(
+        k + 1, axes.z[k], axes.x[k], axes.x_drawn[k], axes.r[k], **shape, **limits, top=top.radius,
+        cut=cut,
+    )  # fmt: skip

@@ -34,6 +34,22 @@ FAILS = {
         "the tips of wheel {other} cut {depth:.3g} mm into the roots of wheel {wheel}: leave delta_y out, or "
         "take a greater one"
     ),
+    "ring tip": said(
+        "interference: the ring's tip radius {value:.5g} mm is less than {least:.5g} mm, its tips reach "
+        "beyond N1; the contact ratio is {ratio:.4g}, counted from N1; give the ring more teeth, a smaller ha "
+        "or a greater x2"
+    ),
+    "root space": said(
+        "the space of the ring is closed at its root: its flanks meet there; take a smaller x2"
+    ),
+    "tip overlap": said(
+        "where the tip circles cross the teeth overlap by {depth:.3g} mm: give the ring more teeth, a smaller "
+        "ha or a greater x2"
+    ),
+    "assembly": said(
+        "the wheel cannot be put into the ring along the line of centres, {depth:.3g} mm are wanting: put it "
+        "in along the axis, or give the ring more teeth"
+    ),
     "contact ratio": said(
         "the contact ratio {ratio:.4g} is below 1: a pair of teeth leaves before the next one touches"
     ),

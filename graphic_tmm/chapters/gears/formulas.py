@@ -142,6 +142,18 @@ def tip_radius(r: Number, m: Number, ha: Number, x: Number, dy: Number) -> Numbe
     """{r} + {m}·({ha} + {x} − {dy})"""
 
 
+@formula(
+    why=said("The distance of the axes is given: the base circles tell at which angle they mesh.")
+)
+def angle_of_distance(a: Number, alpha: Angle, a_w: Number) -> Angle:
+    """arccos({a}·cos {alpha}/{a_w})"""
+
+
+@formula(why=said("So much shift fills the pitch on the rolling circles without backlash."))
+def sum_of_shifts(inv_w: Number, inv: Number, alpha: Angle, z1: Number, z2: Number) -> Number:
+    """({inv_w} − {inv})·({z1} + {z2})/(2·tan {alpha})"""
+
+
 @formula(why=said("The tooth reaches from the root circle to the tip circle."))
 def tooth_height(m: Number, ha: Number, c: Number, dy: Number) -> Number:
     """{m}·(2·{ha} + {c} − {dy})"""
@@ -268,6 +280,28 @@ def arc_of_engagement(path: Number, r_w: Number, r_b: Number) -> Number:
     """{path}·{r_w}/{r_b}"""
 
 
+@formula(
+    why=said("The line of action is the common normal: along it both flanks are equally fast.")
+)
+def sliding_velocity(omega1: Number, omega2: Number, x: Number, pole: Number) -> Number:
+    """({omega1} + {omega2})·({x} − {pole})"""
+
+
+@formula(why=said("It is told by how fast both rolling circles run."))
+def ratio_of_speeds(sliding: Number, rolling: Number) -> Number:
+    """{sliding}/{rolling}"""
+
+
+@formula(why=said("A revolution is 2π, a minute 60 s."))
+def speed_in_rpm(omega: Number) -> Number:
+    """30·{omega}/π"""
+
+
+@formula(why=said("The rolling circles do not slide: with more teeth the wheel turns more slowly."))
+def driven_speed(omega: Number, ratio: Number) -> Number:
+    """{omega}/{ratio}"""
+
+
 @formula(why=said("All teeth together take the whole turn."))
 def angular_pitch(z: Number) -> Angle:
     """360°/{z}"""
@@ -301,6 +335,11 @@ def remainder(whole: Length, part: Length) -> Length:
 )
 def ratio_of(part: Length, whole: Length) -> Number:
     """{part}/{whole}"""
+
+
+@formula(why=said("No flank goes below the base circle: the compass is not set smaller."))
+def at_least(length: Length, least: Length) -> Length:
+    """max({length}, {least})"""
 
 
 @formula(why=said("The drawing is compared with the calculation."))

@@ -36,8 +36,6 @@ ANGLE = 0.4
 """Radius of the arc of α_w, of the length N1N2."""
 HEAD = 3.0
 """Length of an arrowhead on an arc, mm."""
-SIDES = (-1j, 1j)
-"""Where the centres lie from the pitch point."""
 
 
 class MeshInk:
@@ -49,6 +47,8 @@ class MeshInk:
         self.limits = [self.at(mark) for mark in made.line.limits]
         self.ends = [self.at(mark) for mark in made.line.ends]
         self.centres = [self.at(circles.centre) for circles in made.line.circles]
+        self.ring = made.sizes.ring is not None
+        self.sides = (-1, -1) if self.ring else (-1, 1)
         self.angle = self.real(made.line.angle)
         self.way = cmath.rect(1.0, math.radians(self.angle))
 
@@ -102,7 +102,7 @@ def draw_gear_ink(on: Subject, made: Gear) -> Drawing:
     if ink.shows_centre(0) and ink.shows_centre(1):
         left = bounds(Drawing(VIEW, on.title, tuple(strokes)))[0]
         told = f"a_{{w}} = {fixed(1000 * ink.real(made.sizes.a_w), 2, on.language)}"
-        aside = ink.centres[0].real - left + ASIDE
+        aside = TURN + 2 * ASIDE if ink.ring else ink.centres[0].real - left + ASIDE
         size = dimension(ink.centres[0], ink.centres[1], aside, told, on.heights.number)
         centres = [circles.centre for circles in made.line.circles]
         strokes += body(size.strokes, "dimension", centres)
@@ -116,9 +116,7 @@ def _rules(ink: MeshInk) -> dict[Mark, Rule]:
     rules: dict[Mark, Rule] = {
         own.centres: leaving(*_centre_line(ink)),
         own.pole: dotted(DOT),
-        own.line: leaving(
-            line("thin", ink.limits[0] - OVER * ink.way, ink.limits[1] + OVER * ink.way)
-        ),
+        own.line: leaving(_action(ink)),
         own.angle: leaving(*_angle(ink)),
         own.working: leaving(line("medium", *ink.ends)),
     }
@@ -140,14 +138,20 @@ def _rules(ink: MeshInk) -> dict[Mark, Rule]:
 
 def _centre_line(ink: MeshInk) -> Iterator[Ink]:
     """The line of centres; to one that is left out an arrow points."""
-    ends = []
-    for k, outward in enumerate(SIDES):
+    ends = [ink.pole + 1j * OVER] if ink.ring else []
+    for k, side in enumerate(ink.sides):
         own = abs(ink.centres[k] - ink.pole) + OVER
         reach = own if ink.shows_centre(k) else min(own, REACH)
-        ends.append(ink.pole + reach * outward)
+        ends.append(ink.pole + reach * side * 1j)
         if not ink.shows_centre(k):
-            yield from arrowhead(ends[k], outward, pen="thin")
-    yield line("centre", *ends)
+            yield from arrowhead(ends[-1], side * 1j, pen="thin")
+    yield line("centre", ends[0], ends[-1])
+
+
+def _action(ink: MeshInk) -> Ink:
+    """The line of action from limit to limit, of a ring to b, and a little farther."""
+    spots = (ink.limits[1], ink.ends[1]) if ink.ring else ink.limits
+    return line("thin", spots[0] - OVER * ink.way, spots[1] + OVER * ink.way)
 
 
 def _limit(ink: MeshInk, k: int) -> Rule:
@@ -179,7 +183,11 @@ def _circle(ink: MeshInk, wheel: Wheel, pen: str) -> Rule:
     def circle_(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         centre, radius = seen.arc(step.it, k)
         beyond = math.degrees(OVER / radius)
-        yield arc(pen, centre, radius, low - beyond, min(high - low + 1.5 * beyond, 360.0))
+        turn = min(high - low + 1.5 * beyond, 360.0)
+        if wheel.sizes.cut is None:
+            yield arc(pen, centre, radius, high + beyond, -turn)
+        else:
+            yield arc(pen, centre, radius, low - beyond, turn)
 
     return circle_
 
@@ -210,7 +218,8 @@ def _bodies(ink: MeshInk) -> Iterator[Ink]:
         yield from outline(ink.reading, wheel)
         strokes = _band(ink, wheel, engaged.lowest)
         yield from body(strokes, "hatching", [wheel.flank, engaged.lowest])
-    for k, start, sweep in ((0, 130.0, -80.0), (1, -130.0, 80.0)):
+    for k, side in enumerate(ink.sides):
+        start, sweep = -130.0 * side, 80.0 * side
         if ink.shows_centre(k):
             centre = [ink.line.circles[k].centre]
             yield from body(turning_pair(ink.centres[k]), "pivot", centre)
@@ -240,7 +249,7 @@ def _letters(ink: MeshInk, heights: Heights) -> Iterator[Wanted]:
     """The letters of centres, limits, ends, circles, arcs of engagement."""
     point, own = heights.point, ink.line
     yield Wanted("P", ink.pole, point, 1.0, -1 + 1j, (own.pole.slot,))
-    for k, side in ((0, -1), (1, 1)):
+    for k, side in enumerate(ink.sides):
         yield from _centre_letters(ink, k, side, point)
         limit = own.limits[k]
         toward = side * ink.way * (1j + 0.4)
@@ -255,11 +264,12 @@ def _letters(ink: MeshInk, heights: Heights) -> Iterator[Wanted]:
     yield Wanted(own.angle.letter, ink.pole + middle, point, 0.5, 1 + 0.2j, (own.angle.slot,))
     for wheel, engaged in zip(ink.made.wheels, ink.made.contact.wheels, strict=True):
         centre = ink.at(wheel.circles.centre)
-        low, _ = sector(ink.reading, wheel)
+        sense = -1 if wheel.sizes.cut else 1
+        edge = math.radians(sector(ink.reading, wheel)[sense > 0])
         for mark, _, text in circles_of(wheel):
             radius = ink.radius(mark)
-            spot = centre + cmath.rect(radius, math.radians(low) - OVER / radius)
-            toward = -1j * (spot - centre)
+            spot = centre + cmath.rect(radius, edge + sense * OVER / radius)
+            toward = sense * 1j * (spot - centre)
             yield Wanted(text, spot, heights.number, 0.5, toward, (mark.slot,))
         for mark in engaged.arc:
             z = ink.at(mark)
@@ -271,7 +281,7 @@ def _centre_letters(ink: MeshInk, k: int, side: int, size: float) -> Iterator[Wa
     """The letters of a centre and of the sense in which its wheel turns; far ones at the arrow to them."""
     mark, centre = ink.line.circles[k].centre, ink.centres[k]
     if not ink.shows_centre(k):
-        far = ink.pole + REACH * SIDES[k]
+        far = ink.pole + REACH * side * 1j
         yield Wanted(mark.letter, far, size, 1.5, 1 + 0j, (mark.slot,))
         return
     yield Wanted(mark.letter, centre, size, 2.0, complex(side, side), (mark.slot,))

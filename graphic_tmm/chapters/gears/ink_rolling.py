@@ -56,12 +56,15 @@ class _Rolling:
         self.centre, self.pole = self.at(own.circles.centre), self.at(made.line.pole)
         self.limit, self.origin = self.at(made.line.limits[k]), self.at(own.origin)
         by_mark = {step.it: step for step in on.construction.steps}
-        self.bends = by_mark[self.tooth.right.fillet].uses[0]
+        bent = self.tooth.right.fillet
+        self.bends = by_mark[bent].uses[0] if bent else None
         self.string = by_mark[own.origin].uses[2]
         self.feet = self.row(own.feet, own.roll.count)
         self.points = self.row(own.points, own.roll.count)
-        self.last_bend = self.row(self.bends, made.rows.fillet)[-1]
-        led = _leading(by_mark, (own.flank, self.tooth.right.fillet, own.axis))
+        self.last_bend = self.at(self.tooth.right.start)
+        if self.bends:
+            self.last_bend = self.row(self.bends, made.rows.fillet)[-1]
+        led = _leading(by_mark, tuple(m for m in (own.flank, bent, own.axis) if m))
         led |= {self.string, own.circles.tip, own.circles.root}
         steps = tuple(step for step in on.construction.steps if step.it in led)
         log = on.construction._replace(steps=steps)
@@ -88,7 +91,7 @@ class _Rolling:
                                    for mark, pen, _, low, high in self.spans()}  # fmt: skip
         shown = (line_.pole, line_.limits[self.k], wheel.origin, wheel.feet)
         rules |= dict.fromkeys((*shown, wheel.at_pitch, wheel.middle), dot)
-        rules |= dict.fromkeys((wheel.points, self.bends), reach)
+        rules |= dict.fromkeys((m for m in (wheel.points, self.bends) if m), reach)
         rules |= {self.string: self._first, wheel.flank: curve("thin"), wheel.axis: self._axis}
         return rules
 

@@ -34,6 +34,7 @@ class _Ink:
         self.end = self.at(made.sliding.end)
         self.low = -made.sliding.floor / self.mu
         self.high = 1.0 / self.mu
+        self.ring = made.sizes.ring is not None
 
     def at(self, mark: Mark) -> complex:
         return spot(self.seen.reading, mark)
@@ -98,7 +99,8 @@ def _axes(ink: _Ink) -> Iterator[Ink]:
     yield line("thin", 1j * ink.low, top)
     yield from arrowhead(right, 1 + 0j, pen="thin")
     yield from arrowhead(top, 1j, pen="thin")
-    yield line("dashed", ink.end + 1j * ink.low, ink.end + 1j * ink.high)
+    if not ink.ring:
+        yield line("dashed", ink.end + 1j * ink.low, ink.end + 1j * ink.high)
     yield line("dashed", 1j * ink.high, ink.end + 1j * ink.high)
     for value in _figures(ink):
         height = 1j * value / ink.mu
@@ -117,7 +119,8 @@ def _letters(ink: _Ink, language: str, heights: Heights) -> Iterator[Wanted]:
     yield Wanted("ϑ", 1j * (ink.high + OVER), point, 1.5, -1 + 0j)
     yield Wanted(f"x, {unit('mm', language)}", ink.end + OVER, point, 1.5, 1j + 0.5)
     yield Wanted("N_{1}", 0j, point, 1.0, -1 - 0.6j)
-    yield Wanted("N_{2}", ink.end, point, 1.0, 1 - 1j, (ink.sliding.end.slot,))
+    if not ink.ring:
+        yield Wanted("N_{2}", ink.end, point, 1.0, 1 - 1j, (ink.sliding.end.slot,))
     for k, branch in enumerate(ink.sliding.branches):
         steep = complex(ink.seen.reading[branch.points][0, :STATIONS][1])
         yield Wanted(f"ϑ_{{{k + 1}}}", steep, point, 1.0, 1 - 2 * k + 0j, (branch.curve.slot,))

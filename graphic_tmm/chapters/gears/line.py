@@ -13,6 +13,7 @@ from graphic_tmm.board.operations.instruments import (
     join,
     lay_off,
     measure_along,
+    parallel,
     ray,
     strike,
     touch,
@@ -41,8 +42,9 @@ class Circles:
 class ActionLine:
     """The line of action N1N2 (Line) with its limits N1, N2, the pitch point P, its working part ab.
 
-    ``tips``: where the tip circles cut it, wheel 2's and wheel 1's; ``ends``: a and b, where teeth touch first
-    and last, the same but of pointed teeth and beyond the limits.
+    ``tips``: where the tip circles cut it, wheel 2's and wheel 1's; of a ring its root circle, where its
+    flanks end. ``ends``: a and b, where teeth touch first and last, the same but of pointed teeth and beyond
+    the limits.
 
     ``centres``: the line of centres. ``angle``: that of the line of action with the common tangent in P as
     drawn (Angle). ``length``: N1N2, ``to_ends``: N1a and N1b by a and b where these are no limits,
@@ -68,15 +70,21 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     """Draw the centres, the circles of both wheels and the line of action, wheel 1 below, driving to the right.
 
     The line of action touches both base circles; wheel 2's tip circle cuts a off it, wheel 1's b. Beyond N1 and
-    N2 no flank is an involute: where a tip reaches farther, the teeth touch from there on.
+    N2 no flank is an involute: where a tip reaches farther, the teeth touch from there on. The centre of a ring
+    lies below that of wheel 1, and N2 on the same side of P as N1.
     """
     draft.open(VIEW)
     mu = draft.scale("μ_l", "m/mm")
     draft.lay_out()
     first = draft.take(Point, "O_{1}", 0j)
-    centres = draft.draw(ray, "(O_{1}O_{2})", first, draft.direction(90.0), why=why.CENTRES)
+    internal = sizes.ring is not None
+    upward = draft.direction(90.0)
+    centres = draft.draw(ray, "(O_{1}O_{2})", first, upward, why=why.CENTRES)
     distance = draft.draw(to_board, "[a_{w}]", sizes.a_w)
-    second = draft.draw(lay_off, "O_{2}", centres, distance, why=why.CENTRES)
+    axis = centres
+    if internal:
+        axis = draft.draw(parallel, "(O_{1}O_{2})", first, centres, sense=-1, why=why.CENTRES)
+    second = draft.draw(lay_off, "O_{2}", axis, distance, why=why.CENTRES)
     own, other = sizes.wheels
     circles = (_circles(draft, own, first), _circles(draft, other, second))
     reach = next(m for m in draft.uses(circles[0].working) if m != first)
@@ -86,12 +94,20 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
         draft.draw(touch, "N_{1}", pole, circles[0].base, side, why=why.LIMIT),
         draft.draw(touch, "N_{2}", pole, circles[1].base, side, why=why.LIMIT),
     )
-    line = draft.draw(join, "(N_{1}N_{2})", *limits, why=why.ACTION)
+    along = limits[::-1] if internal else limits
+    name = "".join(mark.letter for mark in along)
+    line = draft.draw(join, f"({name})", *along, why=why.ACTION)
     forward, back = draft.take(Side, "+", 1.0), draft.take(Side, "−", -1.0)
-    start, a = _end(draft, sizes, circles, (line, limits[0], back), 0)
+    if internal:
+        start = draft.draw(cut, "g", line, circles[1].root, forward, why=why.ROOT)
+        a = limits[0]
+        if not sizes.beyond[0]:
+            a = draft.draw(cut, "a", line, circles[1].tip, forward, why=why.ENTERS)
+    else:
+        start, a = _end(draft, sizes, circles, (line, limits[0], back), 0)
     stop, b = _end(draft, sizes, circles, (line, limits[1], forward), 1)
-    angle = draft.draw(bearing, "α_{w}", *limits, why=why.MESH_ANGLE)
-    wanted = (limits, (limits[0], a), (limits[0], b), (limits[0], pole), (a, b))
+    angle = draft.draw(bearing, sizes.alpha_w.letter, *along, why=why.MESH_ANGLE)
+    wanted = (along, (limits[0], a), (limits[0], b), (limits[0], pole), (a, b))
     spans = {
         (one, end): draft.draw(
             measure_along, f"{one.letter}{end.letter}", one, end, line, why=why.SPAN
@@ -101,7 +117,7 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
     }
     to_ends = {end: spans[limits[0], end] for end in (a, b) if end not in limits}
     return ActionLine(
-        mu, centres, circles, pole, limits, (start, stop), (a, b), line, angle, spans[limits], to_ends,
+        mu, centres, circles, pole, limits, (start, stop), (a, b), line, angle, spans[along], to_ends,
         spans[limits[0], pole], spans[a, b],
     )  # fmt: skip
 

@@ -17,6 +17,11 @@ RATIO = said(
     "The contact ratio is {contact_ratio} by the formula and {contact_ratio_drawn} as drawn, "
     "{contact_ratio_difference} apart."
 )
+SLIDES = said(
+    "Wheel 2 turns with {n2}; the flanks slide with {v_sa} where a pair begins to touch and with {v_sb} where it "
+    "ceases, {v_sa_ratio} and {v_sb_ratio} of the velocity {v_rolling} of the rolling circles."
+)
+SKEW = said("Over the width the teeth overlap by {overlap_ratio}: in all {total_ratio} pairs touch.")
 ALL = said(
     "All conditions of the meshing hold: no tooth is pointed ({s_a1} and {s_a2} at the tips) or undercut, the "
     "flanks do not interfere, the clearance is kept, and the contact ratio {contact_ratio} is above 1."
@@ -28,7 +33,7 @@ class GearPage(Page[Gear]):
 
     calculated = (MESHING,)
     tables = ()
-    by_results = (RATIO,)
+    by_results = (RATIO, SKEW, SLIDES)
 
     def concludes(self) -> Iterator[Runs]:
         """Yield the contact ratio; one sentence where every check holds: those that fail are warnings."""

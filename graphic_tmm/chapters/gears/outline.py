@@ -64,8 +64,9 @@ def flank(reading: Reading, side: Flank) -> Controls:
 
 
 def fillet(reading: Reading, side: Flank) -> Controls:
-    """Return a fillet from the root to where the flank begins."""
-    own, start = controls(reading, side.fillet), spot(reading, side.start)
+    """Return a fillet from the root to where the flank begins; () of a ring."""
+    own = controls(reading, side.fillet) if side.fillet else ()
+    start = spot(reading, side.start)
     if not (own and cmath.isfinite(start)):
         return ()
     return cut(own, float(len(own) // 3), nearest(own, start))
@@ -77,15 +78,19 @@ def outline(reading: Reading, wheel: Wheel) -> Iterator[Ink]:
     roots: list[Controls] = []
     for tooth in wheel.teeth:
         yield from tooth_outline(reading, tooth, centre)
-        roots += [fillet(reading, side)[:1] for side in (tooth.left, tooth.right)]
+        for side in (tooth.left, tooth.right):
+            own = flank if side.fillet is None else fillet
+            roots.append(own(reading, side)[:1])
     spread = BESIDE * 2 * math.pi / float(reading[wheel.sizes.z][0, 0])
+    spread = -spread if wheel.sizes.cut is None else spread
     if not all(roots):
         return
     spots = [piece[0] for piece in roots]
     arcs = [_between(spots[0], centre, spread), _between(spots[-1], centre, -spread)]
     for right, left in ((spots[1], spots[2]), (spots[3], spots[4])):
         arcs.append(_between(right, centre, cmath.phase((left - centre) / (right - centre))))
-    fillets = [side.fillet for tooth in wheel.teeth for side in (tooth.left, tooth.right)]
+    sides = (side for tooth in wheel.teeth for side in (tooth.left, tooth.right))
+    fillets = [side.fillet or side.flank for side in sides]
     yield from body(arcs, "tooth", [wheel.circles.root, *fillets])
 
 

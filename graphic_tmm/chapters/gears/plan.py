@@ -1,4 +1,4 @@
-"""A pair of spur gears, drawn as by hand: dimensions, circles, flanks, contact ratio, specific sliding."""
+"""A pair of gears, drawn as by hand: dimensions, circles, flanks, contact ratio, specific sliding."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.chapters.gears.contact import Check, Contact, draw_contact, record_checks
 from graphic_tmm.chapters.gears.dimensions import GearSizes, calculate_sizes, known
 from graphic_tmm.chapters.gears.line import ActionLine, draw_action_line
-from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_sizes
+from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_ring, refuse_sizes
 from graphic_tmm.chapters.gears.sliding import ROOM as SLIDING
 from graphic_tmm.chapters.gears.sliding import Sliding, draw_sliding
 from graphic_tmm.chapters.gears.task import ASKED, GEARS, GearTask
@@ -58,6 +58,7 @@ def draw_gear(draft: Draft, order: GearTask) -> Gear:
         If the order cannot be a gear pair; what is merely poor is told by the checks.
     """
     refuse_order(order)
+    refuse_ring(order)
     sizes = calculate_sizes(draft, order)
     value = known(draft)
     refuse_sizes(sizes, value)
@@ -68,8 +69,8 @@ def draw_gear(draft: Draft, order: GearTask) -> Gear:
         draw_wheel(draft, 0, sizes, line, rows, value),
         draw_wheel(draft, 1, sizes, line, rows, value),
     )
-    contact = draw_contact(draft, sizes, line, wheels)
-    sliding = draw_sliding(draft, sizes, line, rows)
+    contact = draw_contact(draft, sizes, line, wheels, value)
+    sliding = draw_sliding(draft, sizes, line, rows, value)
     return Gear(order, sizes, rows, line, wheels, contact, sliding, checks)
 
 
@@ -81,12 +82,14 @@ def gear_scales(fitting: Fitting) -> dict[Mark, object]:
     """
     gear = GEARS_PLAN.on(fitting)
     sizes, free = gear.sizes, {gear.line.mu: 1.0}
-    wanted = (sizes.a_w, sizes.h, gear.line.length)
+    # a ring's teeth stand its root radius away from its centre
+    far = sizes.wheels[1].r_f if sizes.ring else sizes.a_w
+    wanted = (far, sizes.h, gear.line.length, sizes.a_w)
     exact = execute(fitting.project.construction, {**fitting.given, **free}, wanted)
-    distance, height, action = (float(exact[mark][0, 0]) for mark in wanted)
+    distance, height, action, axes = (float(exact[mark][0, 0]) for mark in wanted)
     larger = max(standard_length(height, TOOTH), standard_length(action, ACTION))
     usual, share = min(standard_length(distance, ROOM), larger), fitting.sizes[GEARS]
-    told = distance / gear.order.axes if gear.order.axes else gear.order.mu
+    told = axes / gear.order.axes if gear.order.axes else gear.order.mu
     mu = told or (usual if share == 1.0 else standard_length(usual / share, 1.0))
     chart, floor = gear.sliding.chart, gear.sliding.floor
     return {gear.line.mu: mu, chart.mu: chart.wanted or standard(floor, SLIDING)}

@@ -48,6 +48,11 @@ def least_shift(h: Number, m: Number, z: Number, alpha: Angle) -> Number:
     """{h}/{m} − {z}·sin² {alpha}/2"""
 
 
+@formula(why=said("With fewer teeth the rack would cut below the base circle."))
+def least_teeth(h: Number, m: Number, x: Number, alpha: Angle) -> Number:
+    """2·({h}/{m} − {x})/sin² {alpha}"""
+
+
 @formula(
     why=said(
         "Where the straight flank of the rack ends the involute ends too: its radius of curvature there is "

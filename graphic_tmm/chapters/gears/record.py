@@ -5,11 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.operations.formulas import in_si, product, to_board
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Length
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.gears import formulas as g
+from graphic_tmm.chapters.gears.helical import equivalent_teeth, overlap_ratio
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear, record
+from graphic_tmm.chapters.gears.rack import least_teeth
+from graphic_tmm.chapters.gears.ring import sliding_velocity_inside
 from graphic_tmm.chapters.gears.task import GEARS
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
@@ -18,12 +23,27 @@ VIEW = "gear-calculation"
 """The view of what is calculated."""
 
 
+class Motion(NamedTuple):
+    """Angular velocities and speeds (rpm) of both wheels, the velocity of the rolling circles (m/s).
+
+    ``sliding``: by place on the line of action its velocity of sliding (m/s) and that over ``rolling``.
+    """
+
+    omega: tuple[Mark, Mark]
+    turns: tuple[Mark, Mark]
+    rolling: Mark
+    sliding: Mapping[str, tuple[Mark, Mark]]
+
+
 class Aside(NamedTuple):
     """Marks of a pair.
 
     ``ratio``: u12; ``path``: how much of the line of action is in use, ``arc``: that of engagement on the
     rolling circles (Number, m). ``drawn``: of dimensions (by their marks) the lengths on the sheet (Length).
-    ``start``: N1 from itself (Length); ``limits``: ϑ of wheel 2 in N1 and of wheel 1 in N2 (Number).
+    ``start``: N1 from itself (Length); ``limits``: ϑ of wheel 2 in N1 and of wheel 1 in N2 (Number), which a
+    ring has no use of. ``z_min``: of each wheel that a rack cuts, the least teeth without undercut.
+    ``helical``: of a helical pair by name: overlap, both ratios together, equivalent teeth; ``motion``: where
+    the speed is given.
     """
 
     ratio: Mark
@@ -32,6 +52,9 @@ class Aside(NamedTuple):
     drawn: Mapping[Mark, Mark]
     start: Mark
     limits: tuple[Mark, Mark]
+    z_min: tuple[Mark, ...]
+    helical: Mapping[str, Mark]
+    motion: Motion | None
 
 
 BESIDE: Recorded[Aside] = Recorded(aside(GEARS))
@@ -54,7 +77,66 @@ def record_beside(bench: Bench) -> Aside:
         draft.draw(g.specific_sliding, "ϑ_{2N_1}", other.z, one.z, start, line.length),
         draft.draw(g.specific_sliding, "ϑ_{1N_2}", one.z, other.z, start, line.length),
     )
-    return Aside(ratio, path, arc, drawn, start, limits)
+    racked = [(w.number, w.cut.rack.straight, w.x_drawn) for w in sizes.wheels if w.cut]
+    z_min = tuple(
+        draft.draw(least_teeth, f"z_{{min{i}}}", high, sizes.module, x, sizes.alpha)
+        for i, high, x in racked
+    )
+    motion = None if gear.order.speed is None else _motion(draft, gear, ratio, start)
+    return Aside(ratio, path, arc, drawn, start, limits, z_min, _helical(draft, gear), motion)
+
+
+def _helical(draft: Draft, gear: Gear) -> dict[str, Mark]:
+    """Calculate what only a helical pair has."""
+    sizes, helix = gear.sizes, gear.sizes.helix
+    if helix is None:
+        return {}
+    found = {
+        f"z_v{w.number}": draft.draw(equivalent_teeth, f"z_{{v{w.number}}}", w.z, helix.beta)
+        for w in sizes.wheels
+    }
+    if gear.order.width is not None:
+        width = draft.take(Number, "b", gear.order.width, "m")
+        beta = draft.draw(overlap_ratio, "ε_{β}", width, helix.beta, sizes.m)
+        found["overlap_ratio"] = beta
+        found["total_ratio"] = draft.draw(added, "ε_{γ}", sizes.contact_ratio, beta)
+    return found
+
+
+def _motion(draft: Draft, gear: Gear, ratio: Mark, start: Mark) -> Motion:
+    """Calculate the speed of wheel 2 and how fast the flanks slide in the named places."""
+    line, places = gear.line, {"N1": start, **_places(gear)}
+    omega = draft.take(Number, "ω_{1}", gear.order.speed, "1/s")
+    driven = draft.draw(g.driven_speed, "ω_{2}", omega, ratio, unit="1/s")
+    turns = tuple(
+        draft.draw(g.speed_in_rpm, f"n_{i}", one, unit="rpm")
+        for i, one in ((1, omega), (2, driven))
+    )
+    rolling = draft.draw(product, "v", omega, gear.sizes.wheels[0].r_w, unit="m/s")
+    op = g.sliding_velocity if gear.sizes.ring is None else sliding_velocity_inside
+    pole = draft.draw(in_si, "N_{1}P·μ", line.to_pole, line.mu, unit="m")
+    found = {}
+    for name, x in places.items():
+        real = draft.draw(in_si, f"{x.letter}·μ", x, line.mu, unit="m")
+        speed = draft.draw(op, f"v_{{s{name}}}", omega, driven, real, pole, unit="m/s")
+        found[name] = speed, draft.draw(g.ratio_of_speeds, f"v_{{s{name}}}/v", speed, rolling)
+    return Motion((omega, driven), (turns[0], turns[1]), rolling, found)
+
+
+def _places(gear: Gear) -> dict[str, Mark]:
+    """Return the ends of the working line and of the line of action, by name, and "s": how far from N1."""
+    line = gear.line
+    found = {
+        name: line.to_ends[end]
+        for name, end in zip("ab", line.ends, strict=True)
+        if end in line.to_ends
+    }
+    found["P"] = line.to_pole
+    if gear.sizes.ring is None:
+        found["N2"] = line.length
+    if gear.sliding.further is not None:
+        found["s"] = gear.sliding.further.x
+    return found
 
 
 def _laid_off(bench: Bench, gear: Gear) -> dict[Mark, Mark]:

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from graphic_tmm.board.bounds import POSITIVE, TaskError
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
-from graphic_tmm.chapters.gears.task import GearTask
+from graphic_tmm.chapters.gears.task import RING, GearTask
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
 
@@ -21,11 +21,21 @@ def refuse_order(order: GearTask) -> None:
     TaskError
         If teeth are not whole or too few, or a size is not what it can be.
     """
-    for key in ("z1", "z2", "x1", "x2", "alpha", "ha", "c", "steps"):
+    for key in ("z1", "alpha", "c", "steps"):
         _bounded(key, getattr(order, key))
+    if not RING.holds(order.z2):
+        _bounded("z2", order.z2)
+    for addendum in order.addenda:
+        _bounded("ha", addendum)
     for station in order.stations:
         _bounded("stations", station)
     for key, value in (
+        ("x1", order.x1),
+        ("x2", order.x2),
+        ("distance", order.distance),
+        ("x_sum", order.x_sum),
+        ("beta", order.beta),
+        ("width", order.width),
         ("delta_y", order.delta_y),
         ("m", order.m),
         ("mu_l", order.mu),
@@ -37,6 +47,14 @@ def refuse_order(order: GearTask) -> None:
     if order.mu is not None and order.axes is not None:
         says = said("mu_l is given, too: leave one of the two out, a_w as drawn gives μ_l")
         raise TaskError("gears", "a_w", says)
+    if order.distance is not None and order.x_sum is not None:
+        says = said("x_sum is given, too: leave one of the two out, the distance gives the sum")
+        raise TaskError("gears", "distance", says)
+    fixed = order.distance is not None or order.x_sum is not None
+    if fixed and order.x1 is not None and order.x2 is not None:
+        key = "x_sum" if order.distance is None else "distance"
+        says = said("x1 and x2 are both given, too: leave one out, it follows from {key}", key=key)
+        raise TaskError("gears", key, says)
     POSITIVE.refuse("gears", "least_tip", order.least_tip)
 
 
@@ -54,37 +72,84 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
         If there is no working angle, or a wheel has no teeth.
     """
     order = sizes.order
-    if not (value(sizes.rack.rounding) >= 0.0 and value(sizes.rack.offset) >= -1e-12 * order.m):
+    for rack, addendum in zip(sizes.racks, order.addenda[::-1], strict=False):
+        if value(rack.rounding) >= 0.0 and value(rack.offset) >= -1e-12 * order.m:
+            continue
         raise TaskError(
             "gears",
             "ha",
             said(
                 "the rack's tooth comes to a point above the depth ha + c = {c:g}: take a smaller "
                 "ha or c, or an alpha below {alpha:g}°",
-                c=order.ha + order.c,
+                c=addendum + order.c,
                 alpha=order.alpha,
             ),
         )
     if not value(sizes.alpha_w) > 0.0:
-        angle = math.radians(order.alpha)
-        least = -(math.tan(angle) - angle) * (order.z1 + order.z2) / (2.0 * math.tan(angle))
-        raise TaskError(
-            "gears",
-            "x1",
-            said(
-                "the wheels have no working angle (inv α_w = {inv:.4g}): x1 + x2 = {x:g} must be "
-                "greater than {least:.4g}",
-                inv=value(sizes.inv_w),
-                x=order.x1 + order.x2,
-                least=least,
-            ),
-        )
+        _refuse_angle(sizes, value)
     for wheel in sizes.wheels:
         _refuse_wheel(wheel, order, value)
 
 
+def _refuse_angle(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
+    """Refuse a pair that does not mesh at any angle."""
+    order = sizes.order
+    if order.distance is not None:
+        raise TaskError(
+            "gears",
+            "distance",
+            said(
+                "at {distance:.5g} mm the base circles leave no line of action: the distance must be greater "
+                "than {least:.5g} mm",
+                distance=1000.0 * order.distance,
+                least=1000.0 * value(sizes.a) * math.cos(math.radians(value(sizes.alpha))),
+            ),
+        )
+    angle = math.radians(order.alpha)
+    x1, x2 = (value(wheel.x) for wheel in sizes.wheels)
+    z1, z2 = order.teeth
+    least = -value(sizes.inv) / (2.0 * math.tan(angle))
+    if order.internal:
+        raise TaskError(
+            "gears",
+            "x2",
+            said(
+                "the wheels have no working angle (inv α_w = {inv:.4g}): x2 − x1 = {x:g} must be "
+                "greater than {least:.4g}",
+                inv=value(sizes.inv_w),
+                x=x2 - x1,
+                least=least * (z2 - z1),
+            ),
+        )
+    raise TaskError(
+        "gears",
+        "x1",
+        said(
+            "the wheels have no working angle (inv α_w = {inv:.4g}): x1 + x2 = {x:g} must be "
+            "greater than {least:.4g}",
+            inv=value(sizes.inv_w),
+            x=x1 + x2,
+            least=least * (z1 + z2),
+        ),
+    )
+
+
+def refuse_ring(order: GearTask) -> None:
+    """Refuse a ring that has no room for its wheel."""
+    z1, z2 = order.teeth
+    if order.internal and z2 <= z1:
+        says = said(
+            "a ring of {ring} teeth has no room for a wheel of {wheel}: give it more",
+            ring=z2,
+            wheel=z1,
+        )
+        raise TaskError("gears", "z2", says)
+
+
 def _refuse_wheel(wheel: WheelSizes, order: GearTask, value: Callable[[Mark], float]) -> None:
     i = wheel.number
+    if wheel.pointed is None:
+        return  # a wheel that has teeth leaves the ring some, too
     root, tip, base = (value(mark) / order.m for mark in (wheel.r_f, wheel.r_a, wheel.r_b))
     if not root > 0.0:
         raise TaskError(
@@ -130,7 +195,7 @@ def _refuse_wheel(wheel: WheelSizes, order: GearTask, value: Callable[[Mark], fl
                 "x{i} = {x:g} leaves wheel {i} no tooth: its flanks meet at the radius "
                 "{end:.4g}·m, below {max:.4g}·m, where they begin; take a smaller one",
                 i=i,
-                x=(order.x1, order.x2)[i - 1],
+                x=value(wheel.x),
                 end=end,
                 max=max(root, base),
             ),

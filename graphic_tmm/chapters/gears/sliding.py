@@ -4,12 +4,14 @@ In a limit point itself nothing is calculated: the one ϑ falls without end ther
 
 The stations of a curve stand in a geometric series from its own limit point on: there it falls without end, and
 its points stand the closer together the steeper it is. At the other limit point it is 1.
+
+In a ring both limits lie on one side of P: the diagram goes from N1 to b, and the ring's curve is flat.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +19,7 @@ import numpy as np
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.formulas import to_board, total
 from graphic_tmm.board.operations.instruments import lay_off, measure_along, ray, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point, Reals
@@ -64,7 +66,7 @@ class Branch:
 
 @dataclass(frozen=True)
 class Sliding:
-    """The diagram: its chart (μ_ϑ), origin in N1, N2, the curves of both wheels, P.
+    """The diagram: its chart (μ_ϑ), origin in N1, its end in N2, of a ring in b, the curves of both wheels, P.
 
     ``ends``: a and b by these letters, but those that are limit points themselves; ``further``: at the
     distances the task names, if it does; ``floor``: the lowest ordinate of the curves is minus so much.
@@ -82,22 +84,38 @@ class Sliding:
 
 @dataclass(frozen=True)
 class _Ground:
-    """What the stations stand on: the base, N1N2, the numbers of teeth."""
+    """What the stations stand on: the base, N1N2, the numbers of teeth; of a ring N1b."""
 
     base: Mark
     length: Mark
     teeth: tuple[Mark, Mark]
+    reach: Mark | None
+
+    def rest(self, draft: Draft, letter: str, x: Mark) -> Mark:
+        """Calculate how far a place is from the other limit point."""
+        if self.reach is None:
+            return draft.draw(remainder, letter, self.length, x)
+        return draft.draw(total, letter, self.length, x)
 
 
-def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -> Sliding:
+def draw_sliding(
+    draft: Draft,
+    sizes: GearSizes,
+    line: ActionLine,
+    rows: Rows,
+    value: Callable[[Mark], float],
+) -> Sliding:
     """Draw the diagram; lengths along its base are those measured on the line of action."""
     draft.open(VIEW)
     mu = draft.scale("μ_{ϑ}", "1/mm")
     draft.lay_out()
     origin = draft.take(Point, "N_{1}", 0j)
     base = draft.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0), why=why.STATION)
-    end = draft.draw(lay_off, "N_{2}", base, line.length, why=why.STATION)
-    ground = _Ground(base, line.length, (sizes.wheels[0].z, sizes.wheels[1].z))
+    reach = line.to_ends[line.ends[1]] if sizes.ring else None
+    ground = _Ground(base, line.length, (sizes.wheels[0].z, sizes.wheels[1].z), reach)
+    end = None
+    if reach is None:
+        end = draft.draw(lay_off, "N_{2}", base, line.length, why=why.STATION)
     ends = {
         letter: _stations(draft, ground, line.to_ends[end], letter)
         for letter, end in zip("ab", line.ends, strict=True)
@@ -105,9 +123,10 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
     }
     pole = _stations(draft, ground, line.to_pole, "P")
     floor = _floor(draft, line, mu, [mark for one in ends.values() for mark in one.sliding])
+    shares = _both_shares(sizes, floor, value)
     branches = (
-        _branch(draft, ground, 0, rows.row(_shares(sizes.order.z1 / sizes.order.z2, floor))),
-        _branch(draft, ground, 1, rows.row(_shares(sizes.order.z2 / sizes.order.z1, floor))),
+        _branch(draft, ground, 0, rows.row(shares[0])),
+        _branch(draft, ground, 1, rows.row(shares[1])),
     )
     up = draft.draw(square, "(N_{1}ϑ)", origin, base, sense=1, why=why.SLIDING_AT)
     read = tuple(
@@ -119,13 +138,13 @@ def draw_sliding(draft: Draft, sizes: GearSizes, line: ActionLine, rows: Rows) -
         given = draft.take(Length, "x_{s}", rows.row(sizes.order.stations), "mm")
         further = _stations(draft, ground, given, "s")
     chart = Chart(VIEW, "ϑ", "", mu, read, True, sizes.order.mu_sliding, ROOM)
-    return Sliding(chart, origin, end, branches, ends, pole, further, floor)
+    return Sliding(chart, origin, end or ends["b"].feet, branches, ends, pole, further, floor)
 
 
 def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:
     """Calculate both slidings at places, lay them off over the base."""
     (z1, z2) = ground.teeth
-    rest = draft.draw(remainder, f"N_{{2}}{letter}", ground.length, x)
+    rest = ground.rest(draft, f"N_{{2}}{letter}", x)
     sliding = (
         draft.draw(specific_sliding, f"ϑ_{{1{letter}}}", z1, z2, rest, x),
         draft.draw(specific_sliding, f"ϑ_{{2{letter}}}", z2, z1, x, rest),
@@ -145,9 +164,12 @@ def _branch(draft: Draft, ground: _Ground, k: int, shares: Reals) -> Branch:
     """Draw the curve of wheel ``k`` (0 or 1) through points over a row of shares of N1N2 from its own limit."""
     i = k + 1
     share = draft.take(Number, f"f_{i}", shares)
-    near = draft.draw(part_of, f"N_{i}i", share, ground.length)
-    far = draft.draw(remainder, f"N_{2 - k}i", ground.length, near)
-    x = near if k == 0 else far
+    own_part = ground.reach or ground.length
+    near = draft.draw(part_of, f"N_{1 if ground.reach else i}i", share, own_part)
+    far = ground.rest(draft, f"N_{2 if ground.reach else 2 - k}i", near)
+    if ground.reach and k:
+        near, far = far, near
+    x = far if k else near
     own, other = ground.teeth[k], ground.teeth[1 - k]
     sliding = draft.draw(specific_sliding, f"ϑ_{i}", own, other, far, near)
     feet = draft.draw(lay_off, f"i_{{{i}}}", ground.base, x, why=why.STATION)
@@ -165,6 +187,18 @@ def _floor(draft: Draft, line: ActionLine, mu: Mark, slidings: list[Mark]) -> fl
     found = [abs(float(reading[mark][0, 0])) for mark in slidings]
     known = [value for value in found if math.isfinite(value)]
     return min(max(FLOOR[0], DEEPER * max(known, default=0.0)), FLOOR[1])
+
+
+def _both_shares(
+    sizes: GearSizes, floor: float, value: Callable[[Mark], float]
+) -> tuple[Reals, Reals]:
+    """Return the shares at which the curves of both wheels are drawn; of a ring those of N1b from N1."""
+    z1, z2 = sizes.order.teeth
+    if sizes.ring is None:
+        return _shares(z1 / z2, floor), _shares(z2 / z1, floor)
+    length = value(sizes.a_w) * math.sin(math.radians(value(sizes.alpha_w)))
+    least = length / (value(sizes.wheels[1].lowest) - length) / ((1.0 + floor) * z2 / z1 - 1.0)
+    return least ** np.linspace(1.0, 0.0, STATIONS), np.linspace(0.0, 1.0, STATIONS)
 
 
 def _shares(ratio: float, floor: float) -> Reals:

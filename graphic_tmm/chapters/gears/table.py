@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -11,9 +11,10 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Reals
-from graphic_tmm.chapters.gears.dimensions import VIEW, WheelSizes
+from graphic_tmm.chapters.gears.dimensions import VIEW
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
 from graphic_tmm.chapters.gears.record import BESIDE
+from graphic_tmm.chapters.gears.shifts import letter_of
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import fixed, number
@@ -60,25 +61,68 @@ def gear_results(drawn: Drawn) -> Results:
             "x_min": wheel.x_min,
             "arc_of_engagement": engaged.real,
         }
-        marks |= {f"{name}{wheel.number}": mark for name, mark in own.items()}
-    units = {"alpha_w": "°"}
-    return {
-        name: (reading[mark][:, 0].copy(), units.get(name, mark.unit))
-        for name, mark in marks.items()
-    }
+        marks |= {f"{name}{wheel.number}": mark for name, mark in own.items() if mark}
+    marks |= {f"z_min{k}": mark for k, mark in enumerate(beside.z_min, 1)} | _further(drawn)
+    return {name: (reading[mark][:, 0].copy(), _unit_of(mark)) for name, mark in marks.items()}
+
+
+def _further(drawn: Drawn) -> dict[str, Mark]:
+    """Return the results that only some pairs have: shifts that follow, a ring's, a helix, a motion."""
+    gear, beside = GEARS_PLAN.on(drawn), BESIDE.on(drawn)
+    sizes, found = gear.sizes, dict(beside.helical)
+    if sizes.x_sum is not None:
+        found |= {"x_sum": sizes.x_sum} | {f"x{w.number}": w.x for w in sizes.wheels}
+    if sizes.helix is not None:
+        found |= {"m_t": sizes.module, "alpha_t": sizes.alpha}
+        found |= {f"x_t{w.number}": w.x_drawn for w in sizes.wheels}
+    if (ring := sizes.ring) is not None:
+        found |= {"r_a2_least": ring.least_tip, "tip_overlap": ring.overlap}
+        found |= {"assembly_gap": ring.assembly}
+        if ring.uncut is not None:
+            found["contact_ratio_uncut"] = ring.uncut
+    if (motion := beside.motion) is not None:
+        for k, (omega, turns) in enumerate(zip(motion.omega, motion.turns, strict=True), 1):
+            found |= {f"omega{k}": omega, f"n{k}": turns}
+        found["v_rolling"] = motion.rolling
+        for name, (speed, share) in motion.sliding.items():
+            if name not in "sP":
+                found |= {f"v_s{name}": speed, f"v_s{name}_ratio": share}
+    return found
 
 
 class Station(NamedTuple):
-    """A place: its name; x from N1 (mm on the sheet), ϑ of both wheels, (trial,), −∞ at the own limit."""
+    """A place: its name; x from N1 (mm on the sheet), ϑ of both wheels, (trial,), −∞ at the own limit.
+
+    ``speeds``: where the speed is given that of sliding (m/s), and over that of the rolling circles.
+    """
 
     name: str
     x: Reals
     sliding: tuple[Reals, Reals]
+    speeds: tuple[Reals, Reals] | None = None
 
 
 def stations(drawn: Drawn) -> list[Station]:
-    """Return the places from N1 to N2."""
-    return sorted(_places(drawn), key=lambda one: float(one.x[0]))
+    """Return the places from N1 to N2, of a ring to b."""
+    return sorted(map(_moving(drawn), _places(drawn)), key=lambda one: float(one.x[0]))
+
+
+def _moving(drawn: Drawn) -> Callable[[Station], Station]:
+    """Return what tells of a place how fast the flanks slide there."""
+    motion, reading, ends = BESIDE.on(drawn).motion, drawn.reading, GEARS_PLAN.on(drawn).line.ends
+    if motion is None:
+        return lambda one: one
+    limits = dict(zip("ab", (end.name.translate(_BARE) for end in ends), strict=True))
+
+    def told(one: Station) -> Station:
+        name, k = one.name.translate(_BARE), 0
+        if name.isdigit():
+            name, k = "s", int(name) - 1
+        marks = motion.sliding[name if name in motion.sliding else limits[name]]
+        speed, share = (reading[mark][:, k] for mark in marks)
+        return one._replace(speeds=(speed, share))
+
+    return told
 
 
 def _places(drawn: Drawn) -> Iterator[Station]:
@@ -93,7 +137,7 @@ def _places(drawn: Drawn) -> Iterator[Station]:
         Station("N_{1}", reading[beside.start][:, 0], (falls(first), first)),
         Station("N_{2}", reading[gear.line.length][:, 0], (second, falls(second))),
     )
-    yield from at_limits
+    yield from at_limits[: 1 if gear.sizes.ring else 2]
     for name, end in zip("ab", gear.line.ends, strict=True):
         if end in gear.line.limits:
             yield at_limits[gear.line.limits.index(end)]._replace(name=name)
@@ -118,7 +162,7 @@ DIGITS = 4
 def dimension_table(drawn: Drawn, language: str, title: str, heights: Heights) -> Drawing:
     """Return the dimensions: those of the wheels side by side, then those of the pair; and as drawn."""
     words, made, beside = captions(language), GEARS_PLAN.on(drawn), BESIDE.on(drawn)
-    sizes, reading = made.sizes, drawn.reading
+    reading = drawn.reading
 
     def row(symbol: str, own: Mark, *mates: Mark) -> list[str]:
         real = [_cell(reading, mark, language) for mark in (own, *mates)]
@@ -126,7 +170,7 @@ def dimension_table(drawn: Drawn, language: str, title: str, heights: Heights) -
         gap = [""] * (1 - len(mates))
         return [symbol, *real, *gap, _unit(own, language), *laid, *gap]
 
-    rows = [row(symbol, *(size_of(one, key) for one in sizes.wheels)) for symbol, key in WHEEL]
+    rows = [row(symbol, *marks) for symbol, _, marks in wheel_sizes(drawn)]
     one, other = made.contact.wheels
     rows.append(row("cd", one.real, other.real))
     rows += [row(symbol, mark) for symbol, _, mark in pair_sizes(drawn)]
@@ -153,31 +197,48 @@ WHEEL = (
 """What the table tells of a wheel: the symbol, the name in its sizes."""
 
 
+def wheel_sizes(drawn: Drawn) -> Iterator[tuple[str, str, list[Mark]]]:
+    """Yield what the table tells of the wheels: the symbol, the name that machines read, the marks."""
+    sizes, helical = GEARS_PLAN.on(drawn).sizes, BESIDE.on(drawn).helical
+    for symbol, key in WHEEL:
+        marks = [mark for wheel in sizes.wheels if (mark := getattr(wheel, key))]
+        yield letter_of(sizes.order, symbol), key, marks
+        if key == "x" and sizes.helix is not None:
+            yield "x_{t}", "x_t", [wheel.x_drawn for wheel in sizes.wheels]
+            yield "z_{v}", "z_v", [helical[f"z_v{wheel.number}"] for wheel in sizes.wheels]
+
+
 def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
     """Return what the table tells of the pair: the symbol, the name that machines read, the mark."""
     made, beside = GEARS_PLAN.on(drawn), BESIDE.on(drawn)
-    sizes = made.sizes
-    return (
-        ("u_{12}", "gear_ratio", beside.ratio), ("m", "m", sizes.m),
+    sizes, helix, helical = made.sizes, made.sizes.helix, beside.helical
+    found = [("u_{12}", "gear_ratio", beside.ratio), ("m", "m", sizes.m)]
+    if helix is not None:
+        found += [("β", "beta", helix.beta), ("m_{t}", "m_t", helix.m)]
+        found.append(("α_{t}", "alpha_t", helix.alpha))
+    if sizes.x_sum is not None:
+        found.append(("x_{Σ}", "x_sum", sizes.x_sum))
+    found += [
         ("α_{w}", "alpha_w", sizes.alpha_w), ("a_{w}", "a_w", sizes.a_w), ("y", "y", sizes.y),
         ("Δy", "delta_y", sizes.dy), ("h", "h", sizes.h), ("h_{w}", "h_w", sizes.h_w),
         ("p", "p", sizes.p), ("p_{b}", "p_b", sizes.p_b),
         ("s_{cd}", "arc_of_engagement", beside.arc),
         ("ε_{α}", "contact_ratio", sizes.contact_ratio),
-        (f"{working(drawn)}/p_{{b}}", "contact_ratio_drawn", made.contact.drawn),
-    )  # fmt: skip
+    ]  # fmt: skip
+    if "overlap_ratio" in helical:
+        found.append(("ε_{β}", "overlap_ratio", helical["overlap_ratio"]))
+        found.append(("ε_{γ}", "total_ratio", helical["total_ratio"]))
+    if (motion := beside.motion) is not None:
+        found += [("n_{1}", "n1", motion.turns[0]), ("n_{2}", "n2", motion.turns[1])]
+        found.append(("v", "v_rolling", motion.rolling))
+    base = letter_of(sizes.order, "p_{b}")
+    found.append((f"{working(drawn)}/{base}", "contact_ratio_drawn", made.contact.drawn))
+    return tuple((letter_of(sizes.order, symbol), key, mark) for symbol, key, mark in found)
 
 
 def working(drawn: Drawn) -> str:
     """Return what the working part of the line of action is called: ab, or N₁b where a is the limit N₁."""
     return "".join(end.letter for end in GEARS_PLAN.on(drawn).line.ends)
-
-
-def size_of(wheel: WheelSizes, key: str) -> Mark:
-    """Return a dimension of a wheel by its name among them."""
-    mark = getattr(wheel, key)
-    assert isinstance(mark, Mark)
-    return mark
 
 
 def _cell(reading: Reading, mark: Mark, language: str) -> str:
@@ -205,6 +266,11 @@ def sliding_table(drawn: Drawn, language: str, title: str, heights: Heights) -> 
     for k in (0, 1):
         cells = [_sliding(float(one.sliding[k][0]), language) for one in places]
         rows.append([f"ϑ_{{{k + 1}}}", "", *cells])
+    for k, symbol, of in ((0, "v_{s}", "m/s"), (1, "v_{s}/v", "")):
+        speeds = [one.speeds for one in places if one.speeds]
+        if speeds:
+            cells = [number(float(one[k][0]), language, DIGITS) for one in speeds]
+            rows.append([symbol, unit(of, language) if of else "", *cells])
     heads = [words["value"], words["unit"], *(one.name for one in places)]
     align = ["left", "left", *["centre"] * len(places)]
     return breakable(
@@ -245,9 +311,8 @@ def _dimensions(drawn: Drawn) -> Iterator[Column]:
         lengths = [reading.figure(laid[mark])[:, 0] for mark in marks if mark in laid]
         return listed(VIEW, key, symbol, _unit_of(marks[0]), figures, heads, lengths)
 
-    for symbol, key in WHEEL:
-        marks = (size_of(wheel, key) for wheel in made.sizes.wheels)
-        yield column(symbol, key, ("1", "2"), *marks)
+    for symbol, key, marks in wheel_sizes(drawn):
+        yield column(symbol, key, ("1", "2")[: len(marks)], *marks)
     arcs = (one.real for one in made.contact.wheels)
     yield column("cd", "arc_of_engagement_drawn", ("1", "2"), *arcs)
     for symbol, key, mark in pair_sizes(drawn):
@@ -263,6 +328,10 @@ def _sliding_columns(drawn: Drawn) -> Iterator[Column]:
     for k in (0, 1):
         figures = [place.sliding[k] for place in places]
         yield listed(SLIDING, f"theta{k + 1}", f"ϑ_{{{k + 1}}}", "", figures, heads)
+    for k, key, symbol, of in ((0, "v_s", "v_{s}", "m/s"), (1, "v_s_ratio", "v_{s}/v", "")):
+        figures = [place.speeds[k] for place in places if place.speeds]
+        if figures:
+            yield listed(SLIDING, key, symbol, of, figures, heads)
 
 
 def _unit_of(mark: Mark) -> str:

@@ -1,4 +1,4 @@
-"""What is asked of a gear pair: two spur wheels cut by one rack (SI; drawn lengths in mm)."""
+"""What is asked of a gear pair: two wheels, spur or helical, or one in a ring (SI; drawn lengths in mm)."""
 
 from __future__ import annotations
 
@@ -27,18 +27,53 @@ def _stations(value: object, names: Names) -> tuple[float, ...]:
     return found
 
 
-_TEETH = v.number(Bound(5, 2000, whole=True))
+_COUNT, RING = Bound(5, 2000, whole=True), Bound(-2000, -6, whole=True)
 """With fewer teeth no flank is left between the root and the tip that could drive."""
+_TEETH = v.number(_COUNT)
+
+
+def _second(value: object, names: Names) -> int:
+    if RING.holds(value):
+        return int(value)  # type: ignore[call-overload,no-any-return]
+    return int(_TEETH.read(value, names))
+
+
+_SECOND = Kind(_second, {"anyOf": [_COUNT.schema, RING.schema]}, _COUNT)
 _SHIFT = v.number(Bound(-5, 5))
+_SUM = v.number(Bound(-10, 10))
+_HELIX = v.number(Bound(0, 60, below=True), "angle")
+
+
+def _addenda(value: object, names: Names) -> float | tuple[float, float]:
+    if not isinstance(value, list):
+        return float(v.ADDENDUM.read(value, names))
+    if len(value) != 2:
+        raise ValueError(
+            stands(value, said("a number is wanted, or a list of two, [1.1, 0.9]: of each wheel"))
+        )
+    one, other = (float(v.ADDENDUM.read(item, names)) for item in value)
+    return one, other
+
+
+_ONE = v.ADDENDUM.told if isinstance(v.ADDENDUM.told, dict) else {}
+_ADDENDA = Kind(
+    _addenda,
+    {"anyOf": [_ONE, {"type": "array", "items": _ONE, "minItems": 2, "maxItems": 2}]},
+    v.ADDENDUM.bound,
+)
 _STATIONS = Kind(_stations, {"type": "array"}, POSITIVE, "length")
 
 
 @dataclass(frozen=True)
 class GearTask:
-    """A pair of external spur gears with shift.
+    """A pair of gears with shift.
 
-    Its module is ``m`` (m), the shift coefficients are ``x1``, ``x2``. Wheel 1 drives. ``alpha`` (degrees),
-    ``ha`` and ``c`` are those of the basic rack. ``delta_y``: the equalising shift if a table gives it, else it
+    Its module is ``m`` (m), the shift coefficients are ``x1``, ``x2``: 0 where they are left out, but what
+    ``distance`` (that of the axes, m) or ``x_sum`` leaves. Wheel 1 drives. ``z2`` is negative for a ring about
+    wheel 1; the sum of its shifts is x2 − x1. ``alpha`` (degrees), ``ha`` and ``c`` are those of the basic
+    rack; of two ``ha`` each is a wheel's own addendum, which its mate has room for. ``beta``: the helix angle
+    (degrees); m, alpha, ha, c and the shifts then are those of the normal section. ``width``: of the rims (m).
+    ``speed``: of wheel 1, rad/s. ``delta_y``: the equalising shift if a table gives it, else it
     follows exactly. ``steps``: by how many steps a flank is rolled. ``least_tip``: the least thickness at the
     tip, in modules; no scene sets it. ``stations``: further distances from N1 along the drawn line of action,
     mm, at which the specific sliding is found. ``mu`` (m/mm) and ``mu_sliding`` (1/mm): scales if the task
@@ -47,15 +82,17 @@ class GearTask:
     """
 
     z1: int = key(_TEETH, "teeth of the driving wheel", 15)
-    z2: int = key(_TEETH, "teeth of the driven wheel", 25)
+    z2: int = key(_SECOND, "teeth of the driven wheel, of a ring with a minus", 25)
     m: float = key(v.POSITIVE_LENGTH, "the module", "8 mm")
-    x1: float = key(_SHIFT, "shift coefficient of wheel 1", 0.83, 0.0)
-    x2: float = key(_SHIFT, "shift coefficient of wheel 2", 0.445, 0.0)
+    x1: float | None = key(_SHIFT, "shift coefficient of wheel 1", 0.83, None)
+    x2: float | None = key(_SHIFT, "shift coefficient of wheel 2", 0.445, None)
     delta_y: float | None = key(
         _SHIFT, "equalising shift, if a table gives it", 0.19, None, symbol="Δy"
     )
     alpha: float = key(v.RACK, "pressure angle of the rack", "20 deg", 20.0, symbol="α")
-    ha: float = key(v.ADDENDUM, "addendum coefficient", 1, 1.0, symbol="h_a^*")
+    ha: float | tuple[float, float] = key(
+        _ADDENDA, "addendum coefficient, or those of both wheels", 1, 1.0, symbol="h_a^*"
+    )
     c: float = key(v.CLEARANCE, "clearance coefficient", 0.25, 0.25, symbol="c^*")
     steps: int = key(v.number(Bound(4, 60, whole=True)), "steps by which a flank is rolled", 12, 12)
     least_tip: float = 0.2
@@ -75,6 +112,28 @@ class GearTask:
         v.number(Bound(1e-6, 1e3)), "specific sliding that 1 mm stands for", 0.05, None,
         written="mu_theta",
     )  # fmt: skip
+    distance: float | None = key(
+        v.POSITIVE_LENGTH, "the distance of the axes, if it fixes the shifts", "84 mm", None
+    )
+    x_sum: float | None = key(_SUM, "or x1 + x2, of a ring x2 − x1", 0.5, None, symbol="x_Σ")
+    beta: float | None = key(_HELIX, "helix angle", "30 deg", None, symbol="β")
+    width: float | None = key(v.POSITIVE_LENGTH, "width of the rims", "40 mm", None, symbol="b")
+    speed: float | None = key(v.SPEED, "speed of wheel 1", "100 rpm", None, symbol="ω_1")
+
+    @property
+    def addenda(self) -> tuple[float, float]:
+        """The addendum coefficients of both wheels."""
+        return self.ha if isinstance(self.ha, tuple) else (self.ha, self.ha)
+
+    @property
+    def teeth(self) -> tuple[int, int]:
+        """How many teeth both wheels have."""
+        return self.z1, abs(self.z2)
+
+    @property
+    def internal(self) -> bool:
+        """Whether wheel 2 is a ring about wheel 1."""
+        return self.z2 < 0
 
 
 ASKED: SectionKey[GearTask] = SectionKey("gears")

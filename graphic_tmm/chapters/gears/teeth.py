@@ -15,7 +15,7 @@ from graphic_tmm.board.operations.instruments import incline, join, lay_off, mea
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals
 from graphic_tmm.chapters.gears import words as why
-from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
+from graphic_tmm.chapters.gears.dimensions import GearSizes, RackCut, WheelSizes
 from graphic_tmm.chapters.gears.formulas import half_of
 from graphic_tmm.chapters.gears.line import ActionLine, Circles
 from graphic_tmm.chapters.gears.rack import ray_of_rounding, reach_of_ray, rolled_of_ray
@@ -67,15 +67,18 @@ def choose_rows(sizes: GearSizes, value: Callable[[Mark], float]) -> Rows:
 def _roll(wheel: WheelSizes, sizes: GearSizes, value: Callable[[Mark], float]) -> Roll:
     """Divide the string to the tip so that the steps go from below the fillet to beyond the tip.
 
-    Inside go the pitch circle too, where the thickness is laid off, and the lowest working point.
+    Inside go the pitch circle too, where the thickness is laid off, and the lowest working point. A ring's goes
+    to its root.
     """
     tip = value(wheel.r_b) * math.tan(math.radians(value(wheel.alpha_a)))
+    whole = tip if wheel.cut else math.sqrt(value(wheel.r_f) ** 2 - value(wheel.r_b) ** 2)
     pitch = value(wheel.r) * math.sin(math.radians(value(sizes.alpha)))
-    inside = (tip, pitch, max(value(wheel.lowest), 0.0), max(value(wheel.limit), 0.0))
-    low, high = min(inside), max(inside)
-    parts = max(1, math.floor(sizes.order.steps * tip / (high - low)))
-    first = max(0, math.floor(low / tip * parts) - 1)
-    last = math.ceil(high / tip * parts) + 1
+    limit = value(wheel.cut.limit) if wheel.cut else 0.0
+    inside = (tip, pitch, max(value(wheel.lowest), 0.0), max(limit, 0.0))
+    low, high = min(inside), max(*inside, whole)
+    parts = max(1, math.floor(sizes.order.steps * whole / (high - low)))
+    first = max(0, math.floor(low / whole * parts) - 1)
+    last = math.ceil(high / whole * parts) + 1
     return Roll(parts, first, last - first + 1)
 
 
@@ -85,17 +88,23 @@ UNDERCUT = 0.01
 
 @dataclass(frozen=True)
 class Flank:
-    """One side of a tooth: the flank and its fillet (Curve), where the flank begins, and ends."""
+    """One side of a tooth: the flank and its fillet (Curve), where the flank begins, and ends.
+
+    A ring's has no fillet: it begins at the root.
+    """
 
     flank: Mark
-    fillet: Mark
+    fillet: Mark | None
     start: Mark
     tip: Mark
 
 
 @dataclass(frozen=True)
 class Tooth:
-    """A tooth: its sides as seen from the wheel's centre; the right one drives, or is driven."""
+    """A tooth: its sides as seen from the wheel's centre; the right one drives, or is driven.
+
+    Of a ring all is mirrored: its right side is that which a wheel's right side drives.
+    """
 
     right: Flank
     left: Flank
@@ -104,7 +113,8 @@ class Tooth:
     def marks(self) -> tuple[Mark, ...]:
         """What its outline stands on."""
         sides = (self.right, self.left)
-        return tuple(mark for s in sides for mark in (s.flank, s.fillet, s.start, s.tip))
+        marks = (mark for s in sides for mark in (s.flank, s.fillet, s.start, s.tip))
+        return tuple(mark for mark in marks if mark)
 
 
 @dataclass(frozen=True)
@@ -114,7 +124,7 @@ class Wheel:
     ``origin``: where the involute through the pitch point begins on the base circle; ``feet``: of the
     tangents, ``points``: of the involute. ``at_pitch``: where the flank crosses the pitch circle, ``middle`` of
     the tooth there, ``axis`` of the tooth (Line). ``corner``: of the flank with the tip circle. ``teeth``: from
-    left to right; the flank of the middle one passes through the pitch point.
+    left to right, of a ring from right to left; the flank of the middle one passes through the pitch point.
     """
 
     sizes: WheelSizes
@@ -135,7 +145,7 @@ class _Spots(NamedTuple):
     """What a side of a tooth is drawn by: points of its flank and of its fillet (rows), beginning, end."""
 
     flank: Mark
-    fillet: Mark
+    fillet: Mark | None
     start: Mark
     tip: Mark
 
@@ -153,22 +163,29 @@ def draw_wheel(
     ``value``: of a calculated mark; by it a tooth is known to be undercut, or pointed.
     """
     wheel, circles = sizes.wheels[k], line.circles[k]
-    i, roll = wheel.number, rows.flanks[k]
+    i, roll, left_ = wheel.number, rows.flanks[k], 1 if wheel.cut else -1
     origin, feet, points = _involute(draft, k, line, rows)
     curve = draft.draw(smooth_through, f"(E_{i})", points, row=roll.count, why=why.INVOLUTE)
     at_pitch = draft.draw(curve_meets_arc, f"D_{{{i}}}", curve, circles.pitch)
     thickness = draft.draw(to_board, f"[s_{i}]", wheel.s)
     half = draft.draw(half_of, f"[s_{i}]/2", thickness)
     middle = draft.draw(
-        along_arc, f"M_{{{i}}}", at_pitch, circles.pitch, half, sense=1, why=why.TOOTH_AXIS
+        along_arc, f"M_{{{i}}}", at_pitch, circles.pitch, half, sense=left_, why=why.TOOTH_AXIS
     )
     axis = draft.draw(join, f"(O_{i}M_{i})", circles.centre, middle, why=why.TOOTH_AXIS)
-    bends = _fillet(draft, k, sizes, line, rows, middle)
-    fillet = draft.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet, why=why.FILLET)
-    start = _start(draft, wheel, (curve, fillet, origin), value, sizes.order.m)
-    corner = draft.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
+    fillet = bends = None
+    if wheel.cut is None:
+        start = draft.draw(curve_meets_arc, f"L_{{{i}}}", curve, circles.root)
+    else:
+        bends = _fillet(draft, k, sizes, wheel.cut, line, rows, middle)
+        fillet = draft.draw(smooth_through, f"(K_{i})", bends, row=rows.fillet, why=why.FILLET)
+        limit = value(wheel.cut.limit)
+        start = _start(draft, wheel, (curve, fillet, origin), (limit, value(wheel.r)), sizes)
+    corner = origin
+    if wheel.cut or wheel.top is wheel.r_a:
+        corner = draft.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
     right = _Spots(points, bends, start, corner)
-    left = _Spots(*(draft.draw(reflect, f"{mark.name}′", mark, axis, free=True) for mark in right))
+    left = _reflected(draft, right, axis)
     mirrored = _curves(draft, left, i, (roll.count, rows.fillet))
     if value(wheel.s_a) < 0.0:
         apex = draft.draw(curves_cross, f"V_{{{i}}}", curve, mirrored[0])
@@ -177,10 +194,11 @@ def draw_wheel(
         Flank(curve, fillet, right.start, right.tip),
         Flank(*mirrored, left.start, left.tip),
     )
+    counts = (roll.count, rows.fillet)
     teeth = (
-        _next_tooth(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=1),
+        _next_tooth(draft, (right, left), wheel, circles, counts, sense=left_),
         Tooth(*sides),
-        _next_tooth(draft, (right, left), wheel, circles, (roll.count, rows.fillet), sense=-1),
+        _next_tooth(draft, (right, left), wheel, circles, counts, sense=-left_),
     )
     for tooth in teeth:
         draft.figure("tooth", str(i), *tooth.marks)
@@ -189,22 +207,29 @@ def draw_wheel(
     )
 
 
+def _reflected(draft: Draft, side: _Spots, axis: Mark) -> _Spots:
+    """Mirror a side of a tooth."""
+    marks = (mark and draft.draw(reflect, f"{mark.name}′", mark, axis, free=True) for mark in side)
+    return _Spots(*marks)  # type: ignore[arg-type]
+
+
 def _start(
     draft: Draft,
     wheel: WheelSizes,
     drawn: tuple[Mark, Mark, Mark],
-    value: Callable[[Mark], float],
-    m: float,
+    at: tuple[float, float],
+    sizes: GearSizes,
 ) -> Mark:
     """Mark where the flank begins: at the fillet's beginning, or, undercut, where the fillet crosses it.
 
     ``drawn``: the flank, the fillet, the beginning of the involute, where a flank begins whose cut is not seen.
+    ``at``: the radius of curvature where the flank begins, and the pitch radius.
     """
-    curve, fillet, origin = drawn
-    limit, letter = value(wheel.limit), f"L_{{{wheel.number}}}"
+    (curve, fillet, origin), (limit, r) = drawn, at
+    letter = f"L_{{{wheel.number}}}"
     if limit >= 0.0:
         return draft.draw(beginning, letter, fillet)
-    if -(limit**3) > UNDERCUT * m * value(wheel.r) ** 2:
+    if -(limit**3) > UNDERCUT * sizes.order.m * r**2:
         return draft.draw(curves_cross, letter, fillet, curve)
     return origin
 
@@ -221,11 +246,13 @@ def _next_tooth(
     """Draw the tooth one pitch to the left (``sense`` 1) of the middle one, or to its right (−1)."""
     name, flanks = "^{+}" if sense > 0 else "^{−}", []
     for side in sides:
-        turned = []
-        for mark in side:
-            letter, turn = f"{mark.letter}{name}", (circles.centre, wheel.angular_pitch)
-            turned.append(draft.draw(turn_about, letter, mark, *turn, sense=sense, free=True))
-        spots = _Spots(*turned)
+        turn = (circles.centre, wheel.angular_pitch)
+        turned = (
+            mark
+            and draft.draw(turn_about, f"{mark.letter}{name}", mark, *turn, sense=sense, free=True)
+            for mark in side
+        )
+        spots = _Spots(*turned)  # type: ignore[arg-type]
         flanks.append(Flank(*_curves(draft, spots, wheel.number, counts), spots.start, spots.tip))
     return Tooth(flanks[0], flanks[1])
 
@@ -263,20 +290,26 @@ def _involute(draft: Draft, k: int, line: ActionLine, rows: Rows) -> tuple[Mark,
 
 
 def _fillet(
-    draft: Draft, k: int, sizes: GearSizes, line: ActionLine, rows: Rows, middle: Mark
+    draft: Draft,
+    k: int,
+    sizes: GearSizes,
+    cut: RackCut,
+    line: ActionLine,
+    rows: Rows,
+    middle: Mark,
 ) -> Mark:
     """Find points of the fillet that the rounding of the rack leaves beside the middle tooth (a row).
 
     The rack's pitch line rolls on the pitch circle; where it touches, the normal of the contact passes.
     """
-    circles, wheel, i = line.circles[k], sizes.wheels[k], k + 1
+    circles, i = line.circles[k], k + 1
     pitch = draft.draw(to_board, f"[p]_{i}", sizes.p)
     half = draft.draw(half_of, f"[p]_{i}/2", pitch)
     space = draft.draw(along_arc, f"W_{{{i}}}", middle, circles.pitch, half, sense=-1)
     n = draft.take(Number, f"j_{i}", rows.row(np.arange(rows.fillet)))
     parts = draft.take(Number, f"k_{{F{i}}}", float(rows.fillet - 1))
     phi = draft.draw(ray_of_rounding, f"φ_{i}", sizes.alpha, n, parts)
-    reals = ((sizes.rack.offset, "e_{F}"), (wheel.depth, "d_{F}"), (sizes.rack.rounding, "ρ_{f}"))
+    reals = ((cut.rack.offset, "e_{F}"), (cut.depth, "d_{F}"), (cut.rack.rounding, "ρ_{f}"))
     offset, depth, rho = (draft.draw(to_board, f"[{name}]_{i}", m) for m, name in reals)
     rolled = draft.draw(rolled_of_ray, f"t_{i}", offset, depth, phi)
     reach = draft.draw(reach_of_ray, f"l_{i}", depth, phi, rho)
@@ -287,9 +320,11 @@ def _fillet(
     return draft.draw(lay_off, f"K_{{{i}}}", normals, reach, why=why.FILLET_POINT)
 
 
-def _curves(draft: Draft, spots: _Spots, i: int, counts: tuple[int, int]) -> tuple[Mark, Mark]:
+def _curves(
+    draft: Draft, spots: _Spots, i: int, counts: tuple[int, int]
+) -> tuple[Mark, Mark | None]:
     """Draw the flank and the fillet through their points."""
-    return (
-        draft.draw(smooth_through, f"(E_{i})", spots.flank, row=counts[0]),
-        draft.draw(smooth_through, f"(K_{i})", spots.fillet, row=counts[1]),
-    )
+    flank = draft.draw(smooth_through, f"(E_{i})", spots.flank, row=counts[0])
+    if spots.fillet is None:
+        return flank, None
+    return flank, draft.draw(smooth_through, f"(K_{i})", spots.fillet, row=counts[1])

@@ -30,6 +30,10 @@ CHECKS = Tongues(
         "undercut": said("undercut"),
         "interference": said("interference"),
         "clearance": said("clearance"),
+        "ring tip": said("tips within N1"),
+        "root space": said("space at the root"),
+        "tip overlap": said("tips pass one another"),
+        "assembly": said("radial assembly"),
         "contact ratio": said("contact ratio"),
     }
 )
@@ -81,6 +85,7 @@ def _checks(drawn: Drawn, made: Gear, heights: Heights) -> Drawing:
     for name in dict.fromkeys(one.name for one in found):
         same = [one for one in found if one.name == name]
         cells = [_compared(one, language) for one in same]
+        cells = ["", *cells] if [one.wheel for one in same] == [2] else cells
         failed = ", ".join(str(one.wheel) for one in same if not one.holds and one.wheel)
         verdict = _("holds") if all(one.holds for one in same) else _("fails")
         told = f"{verdict}: {failed}" if failed else verdict

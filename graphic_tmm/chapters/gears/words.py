@@ -24,6 +24,18 @@ CAPTIONS: dict[str, str] = {
     "contact_ratio": "ε_{α}",
     "contact_ratio_drawn": "ε_{dr}",
     "contact_ratio_difference": "Δε",
+    "contact_ratio_uncut": "[ε_{α}]",
+    "overlap_ratio": "ε_{β}",
+    "total_ratio": "ε_{γ}",
+    "alpha_t": "α_{t}",
+    "x_sum": "x_{Σ}",
+    "r_a2_least": "r_{l2}",
+    "tip_overlap": "δ_{θ}",
+    "assembly_gap": "δ_{ψ}",
+    "v_rolling": "v",
+    **{f"omega{wheel}": f"ω_{{{wheel}}}" for wheel in (1, 2)},
+    "v_s_ratio": "v_{s}/v",
+    **{f"v_s{place}_ratio": f"v_{{s{place}}}/v" for place in ("N1", "a", "b", "N2")},
     "arc_of_engagement1": "c_{1}d_{1}",
     "arc_of_engagement2": "c_{2}d_{2}",
 }
@@ -65,6 +77,7 @@ ENTERS = said(
 LEAVES = said(
     "A pair of teeth ceases to touch where the tip circle of the driving wheel cuts the line of action."
 )
+ROOT = said("The flank of a ring ends outward on its root circle.")
 APEX = said("A pointed tooth ends where its flanks meet, below the tip circle.")
 MESH_ANGLE = said(
     "The line of action leans by the angle of mesh; read off, it checks the calculated one."

@@ -60,7 +60,7 @@ def exact(order: GearTask) -> dict[str, float]:
     with mpmath.workdps(40):
         mp = mpmath.mpf
         alpha, m = mpmath.radians(mp(order.alpha)), mp(order.m)
-        z, x = (order.z1, order.z2), (mp(order.x1), mp(order.x2))
+        z, x = (order.z1, order.z2), (mp(order.x1 or 0.0), mp(order.x2 or 0.0))
 
         def inv(a: mpmath.mpf) -> mpmath.mpf:
             return mpmath.tan(a) - a

@@ -134,7 +134,7 @@ def rack(order: GearTask, x: float) -> shapely.Polygon:
 @cache
 def cut(order: GearTask, k: int) -> shapely.Geometry:
     """What a rack takes away beside a tooth of wheel k, its space upright, in modules."""
-    z, x = (order.z1, order.z2)[k], (order.x1, order.x2)[k]
+    z, x = (order.z1, order.z2)[k], (order.x1 or 0.0, order.x2 or 0.0)[k]
     tool, r = rack(order, x), z / 2
     places = []
     for t in np.arange(-6.0, 6.0, 0.01):

@@ -41,7 +41,11 @@ def own(order: GearTask) -> dict[str, mpmath.mpf]:
     """The pair from the tangents of its base circles: no involute function of the contact is used."""
     with mpmath.workdps(40):
         mp, z = mpmath.mpf, (order.z1, order.z2)
-        alpha, m, x = mpmath.radians(mp(order.alpha)), mp(order.m), (order.x1, order.x2)
+        alpha, m, x = (
+            mpmath.radians(mp(order.alpha)),
+            mp(order.m),
+            (order.x1 or 0.0, order.x2 or 0.0),
+        )
         due = mpmath.tan(alpha) - alpha
         due += 2 * (mp(x[0]) + mp(x[1])) / sum(z) * mpmath.tan(alpha)
         angle = mpmath.findroot(lambda a: mpmath.tan(a) - a - due, mp("0.4"))

@@ -46,7 +46,7 @@ def touches(order: GearTask) -> float:
     Nothing is used of a line of action: a point of flank 1 is as far from flank 2 as its angle about centre 2
     says; they touch where the least of these distances is nothing.
     """
-    alpha, z, x = radians(20.0), (order.z1, order.z2), (order.x1, order.x2)
+    alpha, z, x = radians(20.0), (order.z1, order.z2), (order.x1 or 0.0, order.x2 or 0.0)
     low, high = 1e-3, 1.4
     due = inv(alpha) + 2 * sum(x) / sum(z) * tan(alpha)
     for _ in range(80):
