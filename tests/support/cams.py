@@ -13,6 +13,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.scales import standard
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.plan import Cam, draw_cam
 from graphic_tmm.chapters.cam.profile import Contour
 from graphic_tmm.chapters.cam.task import (
@@ -227,12 +228,74 @@ def displaced(made_: Made, degrees: np.ndarray) -> np.ndarray:
     cam = made_.cam
     points = outline(made_, cam.profile.working)
     profile = polygon(points)
+    if isinstance(cam.order.follower, FlatRockerFollower):
+        return swung(made_, degrees)[0]
     if isinstance(cam.order.follower, FlatFollower):
         turn = np.exp(1j * cam.sense * np.radians(degrees))
         return np.array([float(np.max((points * z).imag)) for z in turn]) - made_.one(cam.r0)
     radius = made_.one(cam.roller.radius) if cam.roller is not None else 0.0  # of a knife edge
     most = np.full(degrees.shape, 1.2 * cam.order.stroke)
     return roller_places(profile, radius, place_of(made_, degrees), most)
+
+
+def swung(made_: Made, degrees: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return by which angle a lever with a flat face stands above its start on the working profile, and where.
+
+    The face is lowered until the first point of the profile meets it; the second is how far that point is from
+    the foot of the pivot on the face, m.
+    """
+    cam, follower = made_.cam, made_.cam.order.follower
+    assert isinstance(follower, FlatRockerFollower)
+    assert cam.profile.feet is not None
+    a, d, sense = follower.centres, follower.face, cam.sense
+    rocks = sense if follower.same_sense else -sense
+    pivot = made_.reading[cam.profile.feet][0, 0]
+    pivot *= a / abs(pivot)
+    points = outline(made_, cam.profile.working)
+    start = np.arcsin((made_.one(cam.r0) + d) / a)
+    angles, places = [], []
+    for turn in np.exp(1j * sense * np.radians(degrees)):
+        ray = (points * turn - pivot) / -pivot  # along the line of the centres, from the pivot
+        reach = a * np.abs(ray)
+        lift = rocks * np.angle(ray) + np.arcsin(d / reach)
+        first = int(np.argmax(lift))
+        angles.append(lift[first] - start)
+        places.append(np.sqrt(reach[first] ** 2 - d**2))
+    return np.array(angles), np.array(places)
+
+
+def radii_under_face(order: CamTask, r0: float, degrees: np.ndarray) -> np.ndarray:
+    """Return the radius of curvature (m) under a face on a lever: h + d²h/dθ² of its support by differences.
+
+    h is how far the face stands from the cam's centre, θ the angle by which its normal has turned against the
+    cam.
+    """
+    follower, t = order.follower, 1e-4
+    assert isinstance(follower, FlatRockerFollower)
+    start = np.arcsin((r0 + follower.face) / follower.centres)
+
+    def at(shift: float) -> tuple[np.ndarray, np.ndarray]:
+        phi = degrees + np.degrees(shift)
+        angle = motion(order, phi)[0]
+        turned = np.radians(phi) + (-angle if follower.same_sense else angle)
+        return follower.centres * np.sin(start + angle) - follower.face, turned
+
+    (h0, a0), (h1, a1), (h2, a2) = at(-t), at(0.0), at(t)
+    second = 2 * ((h2 - h1) / (a2 - a1) - (h1 - h0) / (a1 - a0)) / (a2 - a0)
+    return np.asarray(h1 + second)
+
+
+def least_under_face(order: CamTask) -> float:
+    """Return the least r0 (m) at which the profile under a face on a lever is convex enough: by halving."""
+    follower = order.follower
+    assert isinstance(follower, FlatRockerFollower)
+    low, high = follower.least, follower.centres - follower.face
+    turn = np.arange(0.025, 360.0, 0.05)
+    for _ in range(40):
+        middle = (low + high) / 2
+        fits = radii_under_face(order, middle, turn).min() >= follower.least
+        low, high = (low, middle) if fits else (middle, high)
+    return high
 
 
 def pressure_angles(order: CamTask, r0: float, degrees: np.ndarray) -> np.ndarray:

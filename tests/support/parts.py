@@ -25,6 +25,11 @@ PARTS = {
         'stroke = "15 mm"\nrise = 120\nfall = 120\nlaw = "cosine"\nfollower = "flat"\n'
         'least_curvature = "8 mm"\n',
     ),
+    "a flat face on a lever": (
+        "cam",
+        'stroke = "15 deg"\nrise = 120\nfall = 100\nlaw = "cosine"\nfollower = "flat rocker"\n'
+        'centres = "90 mm"\nface = "10 mm"\nleast_curvature = "4 mm"\n',
+    ),
     "a law by its diagram": (
         "cam",
         'stroke = "20 mm"\nrise = 90\nfall = 90\nlaw = "diagram"\n'

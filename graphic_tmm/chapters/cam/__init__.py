@@ -20,6 +20,10 @@ circle of the centres where the region begins (`rocker`). Under a flat face the 
 depend on r0; there the profile must be convex: r0 + S + d²S/dφ² ≥ ρ_min, and a line falling at 45° in the
 diagram of S over d²S/dφ² gives r0 (`flat`).
 
+On a lever that swings the face turns too: the arms a_w·(2τ − 1)/τ² square to it and a_w·d²ψ/dφ²/τ³ along
+it, τ = 1 ± dψ/dφ, lead from the pivot to E, and the projection of O1E on the line of the centres is the
+radius of curvature with the distance of the face (`flat_rocker`).
+
 Reversed motion: give everything the angular velocity −ω. The cam stands, the guide goes round it, the
 roller's centre draws the theoretical profile; the working profile is its equidistant at the roller's
 radius, which should stay below a share of r0 and of the theoretical profile's least radius of curvature. A

@@ -26,7 +26,7 @@ from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.laws.ground import Ground
 from graphic_tmm.chapters.cam.operations import in_turn, phase_end
 from graphic_tmm.chapters.cam.phases import Phase, Turn
-from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, RockerFollower
+from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask
 
 VIEWS = {"S": "cam S", "V": "cam dS", "A": "cam ddS"}
 ROOM = 50.0
@@ -99,7 +99,7 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     angle = draft.take(Angle, "φ", np.array(turn.angles)[None, :], "°")
     x = draft.draw(f.along_turn, "x_φ", angle, length)
     base = Base(turn.positions, length, x, mu_phi, draft.direction(0.0))
-    unit = "rad" if isinstance(order.follower, RockerFollower) else "m"
+    unit = "rad" if order.rocks else "m"
     stroke = draft.take(Number, "h", order.stroke, unit)
     mu_S, height = _scale_of_S(draft, order, stroke, unit)
     extents, steps, phases, shares = _divided(draft, turn)

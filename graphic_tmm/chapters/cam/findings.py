@@ -9,6 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.refusals import SLACK
 from graphic_tmm.chapters.cam.rocker import Lever
@@ -51,6 +52,11 @@ _WORDS = {
     "hollow": said(
         "the radius of curvature under the flat face falls to {value:.4g} mm at φ = {angle:.4g}°, "
         "{limit:.4g} mm are the least: r0 = {r0:.4g} mm is too small, take {least:.4g} mm at least"
+    ),
+    "hollow lever": said(
+        "the radius of curvature under the flat face falls to {value:.4g} mm at φ = {angle:.4g}°, "
+        "{limit:.4g} mm are the least: no larger r0 helps, increase the distance of the centres or "
+        "the phase"
     ),
 }
 """By kind of finding."""
@@ -119,20 +125,21 @@ def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
         return float(reading[mark][0, 0])
 
     sizes = (1000.0 * value_at(cam.r0), 1000.0 * value_at(cam.least))
-    if isinstance(cam.order.follower, FlatFollower):
-        return _hollow(cam, value_at, sizes)
+    follower = cam.order.follower
+    if isinstance(follower, FlatFollower | FlatRockerFollower):
+        return _hollow(cam, follower.least, value_at, sizes)
     return (*_pressure(reading, cam, value_at, sizes), *_roller(cam, value_at, sizes))
 
 
 def _hollow(
-    cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+    cam: Cam, allowed: float, one: Callable[[Mark], float], sizes: tuple[float, float]
 ) -> tuple[CamFinding, ...]:
-    assert isinstance(cam.order.follower, FlatFollower)
     (flattest,) = cam.curvature.extremes
-    rho, least = 1000.0 * one(flattest.value), 1000.0 * cam.order.follower.least
+    rho, least = 1000.0 * one(flattest.value), 1000.0 * allowed
     if rho >= least - RULER * sizes[0]:
         return ()
-    return (CamFinding("hollow", one(flattest.angle), rho, least, *sizes),)
+    kind = "hollow" if sizes[0] < sizes[1] else "hollow lever"
+    return (CamFinding(kind, one(flattest.angle), rho, least, *sizes),)
 
 
 def _pressure(

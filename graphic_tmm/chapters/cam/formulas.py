@@ -156,6 +156,77 @@ def convex(radius: Length) -> Length:
     """{radius}"""
 
 
+_SWUNG = said(
+    "The face turns as the frame does about the cam, and with its lever: against the cam it turns by this "
+    "much while the cam turns by a radian."
+)
+_NO_CONTACT = "the lever turns as fast as the cam, and no contact of theirs moves on"
+
+
+@formula(holds="1 + {speed}·{mu} > 0", fails=_NO_CONTACT, why=_SWUNG)
+def turning_against(speed: Length, mu: Number) -> Number:
+    """1 + {speed}·{mu}"""
+
+
+@formula(holds="1 − {speed}·{mu} > 0", fails=_NO_CONTACT, why=_SWUNG)
+def turning_along(speed: Length, mu: Number) -> Number:
+    """1 − {speed}·{mu}"""
+
+
+_ARMS = said(
+    "The centre of the profile's curvature goes with the lever; so much of its distance is due to the place "
+    "and the speed of the lever, so much to its acceleration."
+)
+
+
+@formula(why=_ARMS)
+def arm_across(centres: Length, turning: Number) -> Length:
+    """{centres}·(2·{turning} − 1)/{turning}²"""
+
+
+@formula(why=_ARMS)
+def arm_along(second: Length, mu: Number, centres: Length, turning: Number) -> Length:
+    """{second}·{mu}·{centres}/{turning}³"""
+
+
+@formula(
+    why=said(
+        "Cam and lever turn about each other in a point of the line of their centres; its distances from "
+        "them are as their speeds of turning are."
+    )
+)
+def instant_arm(centres: Length, turning: Number) -> Length:
+    """{centres}/{turning}"""
+
+
+@formula(
+    holds="{need} < {centres}",
+    fails="the face lies farther from its pivot than the cam's centre",
+    why=said("While the lever rests the face must be so far from the cam's centre at least."),
+)
+def rest_angle(need: Length, centres: Length) -> Angle:
+    """arcsin({need}/{centres})"""
+
+
+@formula(why=said("The face lies nearer to the cam than the pivot of its lever, by this distance."))
+def below_face(whole: Length, face: Length) -> Length:
+    """{whole} − {face}"""
+
+
+@formula(why=said("The face has to reach from the nearest contact to the farthest."))
+def face_length(farthest: Number, nearest: Number) -> Number:
+    """{farthest} − {nearest}"""
+
+
+@formula(
+    holds="{radius} > 0",
+    fails=_HOLLOW,
+    why=said("The profile is as long as its radius of curvature times the turning of the face."),
+)
+def face_pace(radius: Length, turning: Number) -> Length:
+    """{radius}·{turning}"""
+
+
 @formula(
     why=said("A roller larger than this share would undercut the profile or grow out of the cam.")
 )

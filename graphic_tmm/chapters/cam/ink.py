@@ -12,6 +12,7 @@ import numpy as np
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Arc, Complexes, Curve
 from graphic_tmm.chapters.cam.centre import Path
+from graphic_tmm.chapters.cam.flat_rocker import FaceLever
 from graphic_tmm.chapters.cam.ink_rules import (
     CamInk,
     between,
@@ -52,12 +53,13 @@ def inverted(ink: CamInk) -> Iterator[Ink]:
             if np.isfinite(at):
                 made = circle("thin", complex(at), ink.fixed_number(radius))
                 yield from body([made], "roller", roller.marks, k)
-    for lever in ink.figures("lever"):
+    swinging = ink.figures("lever") + ink.figures("face lever")
+    for lever in swinging:
         pivots = lever.marks[0]
         for k, at in enumerate(ink.all(pivots)):
             if np.isfinite(at):
                 yield from body([circle("thin", complex(at), PIVOT)], "pivot", [pivots], k)
-    for stand in ink.figures("lever") + ink.figures("guide"):
+    for stand in swinging + ink.figures("guide"):
         mark = stand.marks[0]
         reach = abs(complex(ink.all(mark)[0]))
         if len(stand.marks) > 1 and math.isfinite(reach):
@@ -99,6 +101,10 @@ def follower(ink: CamInk, points: Complexes) -> Iterator[Ink]:
         strokes_ = (line("main", pivot, start), *fixed_pivot(pivot))
         yield from body(strokes_, "lever", lever.marks, 0)
         return
+    for lever in ink.figures("face lever"):
+        pivot, foot = (complex(ink.all(mark)[0]) for mark in lever.marks[:2])
+        yield from body(face_lever(ink, pivot, foot, start), "lever", lever.marks, 0)
+        return
     for face in ink.figures("face"):
         feet = ink.all(face.marks[0])
         start = complex(feet[0])
@@ -107,6 +113,17 @@ def follower(ink: CamInk, points: Complexes) -> Iterator[Ink]:
     edge = made.roller is None and made.theoretical is not None
     points_of = [(made.theoretical or made.working).points]
     yield from body(rod(start, radius, edge=edge), "follower", points_of, 0)
+
+
+def face_lever(ink: CamInk, pivot: complex, foot: complex, contact: complex) -> Iterator[Ink]:
+    """Yield a lever with its flat face, as long as its contacts want it, on its pivot."""
+    assert ink.cam.contact is not None
+    mu = ink.fixed_number(ink.cam.profile.mu)
+    far = ink.fixed_number(ink.cam.contact.extremes[0].value) / mu
+    way = (contact - foot) / abs(contact - foot)
+    if finite(pivot, way, far):
+        yield line("main", pivot, foot, foot + (far + FACE) * way)
+        yield from fixed_pivot(pivot)
 
 
 def rod(at: complex, radius: float, *, edge: bool = False) -> list[Ink]:
@@ -178,6 +195,9 @@ def _rules(ink: CamInk, points: Complexes) -> dict[Mark, Rule]:
     feet = ink.all(made.feet) if made.feet is not None else np.zeros_like(points)
     if isinstance(ink.cam.path, Lever):
         rules[made.guides] = between(feet, points)
+    elif isinstance(ink.cam.path, FaceLever):
+        feet = ink.all(ink.figures("face lever")[0].marks[1])
+        rules[made.guides] = between(feet, points + FACE * directions(points - feet))
     elif isinstance(ink.cam.path, Path):
         reach = BEYOND + (ink.fixed_number(made.roller) if made.roller is not None else 0.0)
         rules[made.guides] = between(feet, points + reach * directions(points - feet))
@@ -207,7 +227,7 @@ def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wa
     spots, ways = _ends(ink, points)
     aside = np.array(ways)
     free = complex(-cam.sense)  # beside the follower no positions stand on this side
-    lever = isinstance(cam.path, Lever)
+    lever = isinstance(cam.path, Lever | FaceLever)
     if not lever and np.isfinite(points[0]):
         spots = np.array(spots)
         spots[0] += (0.5 * WIDTH + 1.5) * free - 3.0j

@@ -258,7 +258,7 @@ def _rocker_rules(ink: CamInk, made: Centre, path: Lever, bounds: list[Bound]) -
         made.points: reached(POINT),
         path.line: straight("thin", 0j, ink.fixed_place(made.centre)),
         ink.used(made.ends[0], 1): leaving(
-            *_part(lowest, ink.fixed_number(path.centres), spots, AROUND)
+            *part_of_circle(lowest, ink.fixed_number(path.centres), spots, AROUND)
         ),
     }
     for mark in dict.fromkeys(one.marks[0] for one in bounds):
@@ -277,7 +277,9 @@ def _limit(own: dict[int, Bound]) -> Rule:
     return limit
 
 
-def _part(lowest: complex, radius: float, spots: list[complex], around: float) -> Iterator[Ink]:
+def part_of_circle(
+    lowest: complex, radius: float, spots: list[complex], around: float
+) -> Iterator[Ink]:
     """The part of a circle about the pivot on which places stand, and ``around`` (degrees) to either side."""
     turns = [math.degrees(cmath.phase(z / lowest)) for z in spots if finite(z)]
     if turns:
@@ -291,7 +293,7 @@ def _rocker_bodies(ink: CamInk, made: Centre, path: Lever, bounds: list[Bound]) 
         ink.fixed_place(mark) for mark in (made.lowest, made.centre, made.least_centre)
     )
     roller = [complex(z) for z in ink.all(made.roller)]
-    yield from body(_part(lowest, abs(lowest), roller, 0.0), "circle", [made.roller])
+    yield from body(part_of_circle(lowest, abs(lowest), roller, 0.0), "circle", [made.roller])
     if bounds:
         worst = max(bounds)
         yield from body(_binding(worst), "dimension", worst.marks, worst.position)

@@ -16,7 +16,7 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.values import Arc
-from graphic_tmm.chapters.cam.ink import PIN, TURN, dwells, rod
+from graphic_tmm.chapters.cam.ink import PIN, TURN, dwells, face_lever, rod
 from graphic_tmm.chapters.cam.ink_rules import CamInk
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW
@@ -97,7 +97,9 @@ def _follower(
     """The follower upright in its guide (or its lever on its pivot), the normal, the pressure angle."""
     made, sense = ink.cam.profile, ink.cam.sense
     points = (made.theoretical or made.working).points
-    mark = made.feet if made.theoretical is None and made.feet is not None else points
+    swung = ink.figures("face lever")
+    flat = made.theoretical is None and made.feet is not None and not swung
+    mark = made.feet if flat and made.feet is not None else points
     at = complex(ink.all(mark)[k]) * turn
     if not finite(at):
         return [], []
@@ -106,6 +108,10 @@ def _follower(
     if made.roller is not None:
         pins: list[Ink] = [circle("main", at, radius), circle("joint", at, PIN)]
         strokes += body(pins, "roller", [points, made.roller], k)
+    if swung:
+        spots = (complex(ink.all(one)[k]) * turn for one in swung[0].marks)
+        strokes += body(face_lever(ink, *spots), "lever", swung[0].marks, k)
+        return strokes, [Wanted("K", at, ink.heights.point, 2.0, -1j, (points.slot,), k)]
     lever = ink.figures("lever")
     if lever:
         pivot = complex(ink.all(lever[0].marks[0])[k]) * turn

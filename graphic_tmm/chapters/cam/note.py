@@ -18,8 +18,7 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.record import VIEW as CALCULATED
-from graphic_tmm.chapters.cam.task import FlatFollower, RockerFollower
-from graphic_tmm.chapters.cam.turn import CURVATURE
+from graphic_tmm.chapters.cam.turn import CONTACT, CURVATURE
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.language.numbers import number
 from graphic_tmm.note.document import Block, Display, Formula, Number, Paragraph, Runs, Symbol
@@ -67,7 +66,7 @@ class CamPage(Page[Cam]):
             yield self.sentence(words.PRESSURE_KEPT, limits)
         if not cam_findings(self.drawn.reading, self.recorded):
             kept = words.ALL if self.recorded.roller is not None else words.EDGE
-            yield self.sentence(words.FLAT if isinstance(order.follower, FlatFollower) else kept)
+            yield self.sentence(words.FLAT if self.recorded.pressure is None else kept)
 
     def blocks(self) -> Iterator[Block]:
         """Yield what is told of a cam, in the order in which it is drawn."""
@@ -86,7 +85,7 @@ class CamPage(Page[Cam]):
 
     def _law(self) -> Iterator[Block]:
         order, diagrams = self.recorded.order, self.recorded.diagrams
-        if isinstance(order.follower, RockerFollower):
+        if order.rocks:
             yield self.says(words.ROCKS)
         yield self.says(words.BASE)
         yield from self.formulas(VIEWS["S"], f.scale_of_stroke, to_board, f.angle_of_part)
@@ -141,11 +140,16 @@ class CamPage(Page[Cam]):
             yield from self.formulas(CENTRE, f.turning_of_normal, first=True)
             yield from self.formulas(CURVATURE, f.curvature_of_profile, first=True)
             yield self._parts(made.centre)
-        else:
+        elif made.path is None:
             yield from self.formulas(CENTRE, f.flat_radius)
         yield self.says(words.SHARPEST)
         for one in made.curvature.extremes:
             yield from self.worked_out(one.angle, one.value)
+        if made.contact is not None:
+            yield self.says(words.FACE)
+            for one in made.contact.extremes:
+                yield from self.worked_out(one.angle, one.value)
+            yield from self.formulas(CONTACT, f.face_length)
         yield from self.leads(self.figures("cam-limits"))
 
     def _parts(self, centre: Centre) -> Paragraph:
@@ -153,7 +157,7 @@ class CamPage(Page[Cam]):
         step = self.drawn.construction.step(centre.turning[0])
         assert step is not None
         letters = {name: self.letter(mark) for name, mark in marks_of(step).items()}
-        swings = isinstance(self.recorded.order.follower, RockerFollower)
+        swings = self.recorded.order.rocks
         return self.says((words.PARTS, words.SWUNG if swings else words.CARRIED), letters)
 
     def _profile(self) -> Iterator[Block]:

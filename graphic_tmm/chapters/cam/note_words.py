@@ -91,6 +91,9 @@ CARRIED = said("{v} and {a} are dS/dφ and d²S/dφ² to the scale of the region
 SWUNG = said("{v} is dψ/dφ times O₁Q, {a} is d²ψ/dφ² times the lever, to the scale of the figure.")
 AS_STROKE = said("The region and the profile are drawn to the scale of S:")
 SHARPEST = said("Where it is largest, the radius of curvature is least:")
+FACE = said(
+    "The contact wanders along the face; farthest from the foot of the pivot and nearest to it are:"
+)
 ALLOWED = said("The roller may be as large as the smaller of two limits allows:")
 TAKEN = said("A roller of radius {radius} is taken.")
 REVERSED = (

@@ -12,6 +12,13 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.centre import Centre, Convexity, Path, draw_centre, draw_convexity
 from graphic_tmm.chapters.cam.diagrams import Diagrams, draw_diagrams
+from graphic_tmm.chapters.cam.flat_rocker import (
+    FaceLever,
+    FaceRegion,
+    draw_face_profile,
+    draw_face_region,
+)
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower, RollerFollower
 from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.profile import Profile, draw_flat_profile, draw_profile
@@ -23,9 +30,14 @@ from graphic_tmm.chapters.cam.task import (
     CamTask,
     FlatFollower,
     RockerFollower,
-    RollerFollower,
 )
-from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_curvature, draw_pressure, draw_radii
+from graphic_tmm.chapters.cam.turn import (
+    TurnDiagram,
+    draw_contact,
+    draw_curvature,
+    draw_pressure,
+    draw_radii,
+)
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
@@ -45,21 +57,24 @@ class RollerSize:
 class Cam:
     """A cam as drawn. ``sense``: 1 if it turns counter-clockwise, −1 clockwise.
 
-    A flat face has a `Convexity` for its `Centre`, and neither pressure angle nor roller. ``charts``: the
-    diagrams whose scales stand on the sheet; that of the scales marked as chosen is found as with other
-    graphs.
+    A flat face has a `Convexity` for its `Centre`; it has neither pressure angle nor roller. On a lever it has
+    a `FaceRegion`, the places of its ``contact`` and the length of ``face`` that they want (Number, m).
+    ``charts``: the diagrams whose scales stand on the sheet; that of the scales marked as chosen is found as
+    with other graphs.
     """
 
     order: CamTask
     sense: int
     diagrams: Diagrams
-    centre: Centre | Convexity
-    path: Path | Lever | None
+    centre: Centre | Convexity | FaceRegion
+    path: Path | Lever | FaceLever | None
     pressure: TurnDiagram | None
     curvature: TurnDiagram
     roller: RollerSize | None
     profile: Profile
     charts: tuple[Chart, ...]
+    contact: TurnDiagram | None = None
+    face: Mark | None = None
 
     @property
     def r0(self) -> Mark:
@@ -113,6 +128,15 @@ def draw_cam(draft: Draft, order: CamTask) -> Cam:
         profile = draw_flat_profile(draft, diagrams, convexity, sense)
         charts = (*charts, radii.chart)
         return Cam(order, sense, diagrams, convexity, None, None, radii, None, profile, charts)
+    if isinstance(follower, FlatRockerFollower):
+        region, lever = draw_face_region(draft, order, diagrams, follower, sense)
+        radii = draw_radii(draft, diagrams, region)
+        profile, distance = draw_face_profile(draft, diagrams, region, lever, sense)
+        contact, face = draw_contact(draft, diagrams, distance)
+        charts = (*charts, lever.chart, radii.chart, contact.chart)
+        return Cam(
+            order, sense, diagrams, region, lever, None, radii, None, profile, charts, contact, face
+        )
     centre: Centre
     path: Path | Lever
     if isinstance(follower, RockerFollower):
@@ -133,6 +157,15 @@ def draw_cam(draft: Draft, order: CamTask) -> Cam:
 def _refuse_triangle(order: CamTask) -> None:
     """Refuse sizes at which the follower does not reach its lowest or its highest place."""
     follower, r0 = order.follower, order.r0
+    if isinstance(follower, FlatRockerFollower):
+        if (r0 or follower.least) + follower.face >= follower.centres:
+            says = said(
+                "r0 and the distance of the face are not less than the centres, {centres:g} m apart: the "
+                "lever's pivot would stand in the cam; increase centres",
+                centres=follower.centres,
+            )
+            raise StructureError(says, "cam.centres", "cam.r0", "cam.face", head="cam")
+        return
     if r0 is None:
         return
     if isinstance(follower, RockerFollower):

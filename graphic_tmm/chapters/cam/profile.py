@@ -83,7 +83,7 @@ def draw_profile(
 
     A knife edge has none: its point draws the working profile, which is the theoretical one.
     """
-    origin = _begin(draft, centre.mu)
+    origin = begin_profile(draft, centre.mu)
     if isinstance(path, Lever):
         placed = _rocker(draft, diagrams, centre, path, origin, sense)
     else:
@@ -93,7 +93,9 @@ def draw_profile(
     )
     paces = [centre.pace] * len(diagrams.stretches)
     name = WORKING if roller is None else THEORETICAL
-    theoretical = _contour(draft, name, diagrams, origin, (placed.points, normals), paces, sense)
+    theoretical = draw_contour(
+        draft, name, diagrams, origin, (placed.points, normals), paces, sense
+    )
     stands = (VIEW, centre.mu, origin, placed.feet, placed.guides, normals)
     if roller is None:
         draft.figure("guide", "", *(() if placed.feet is None else (placed.feet,)), placed.points)
@@ -110,13 +112,13 @@ def draw_profile(
         draft.draw(f.equidistant_pace, "p", centre.pace, radius, turning)
         for turning in centre.turning
     ]
-    working = _contour(draft, WORKING, diagrams, origin, (contacts, normals), paces, sense)
+    working = draw_contour(draft, WORKING, diagrams, origin, (contacts, normals), paces, sense)
     return Profile(*stands, radius, theoretical, working)
 
 
 def draw_flat_profile(draft: Draft, diagrams: Diagrams, of: Convexity, sense: int) -> Profile:
     """Draw the profile of a cam with a flat face."""
-    origin = _begin(draft, of.mu)
+    origin = begin_profile(draft, of.mu)
     along = draft.draw(ray, "(y)", origin, draft.direction(90.0), why=why.FOLLOWER_LINE)
     paths = draft.draw(slew, "(B)", origin, along, diagrams.angle, sense=-sense, why=why.INVERTED)
     reach = draft.draw(total, "r_0+S", of.radius, of.motion.S, why=why.REACH)
@@ -127,11 +129,12 @@ def draw_flat_profile(draft: Draft, diagrams: Diagrams, of: Convexity, sense: in
     normals = draft.draw(parallel, "(n)", contacts, paths, sense=-1)
     paces = [draft.draw(f.convex, "p", radius) for radius in of.radii]
     draft.figure("face", "", middles, contacts)
-    working = _contour(draft, WORKING, diagrams, origin, (contacts, normals), paces, sense)
+    working = draw_contour(draft, WORKING, diagrams, origin, (contacts, normals), paces, sense)
     return Profile(VIEW, of.mu, origin, middles, faces, normals, None, None, working)
 
 
-def _begin(draft: Draft, mu: Mark) -> Mark:
+def begin_profile(draft: Draft, mu: Mark) -> Mark:
+    """Open the view of the profile, to the scale ``mu``; return the centre of the cam."""
     draft.open(VIEW)
     draft.lay_out(None, mu)
     return draft.take(Point, "O", 0j)
@@ -174,7 +177,7 @@ def _rocker(
     return _Inverted(pivots, levers, paths, points)
 
 
-def _contour(
+def draw_contour(
     draft: Draft,
     name: str,
     diagrams: Diagrams,

@@ -8,11 +8,12 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.phases import Phase
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam, record
 from graphic_tmm.chapters.cam.refusals import risen
-from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CAM, CamTask, FlatFollower, RockerFollower
+from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CAM, CamTask, FlatFollower
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
@@ -56,7 +57,7 @@ def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
     """Calculate the largest dS/dφ and d²S/dφ² of both phases by their laws: no position need stand there."""
     found, diagrams = {}, cam.diagrams
     letters = (cam.order.letters["V"], cam.order.letters["A"])
-    unit = "rad" if isinstance(cam.order.follower, RockerFollower) else "m"
+    unit = "rad" if cam.order.rocks else "m"
     for phase, extent in zip(diagrams.turn.phases, diagrams.phases, strict=True):
         ops = (f.peak_velocity, f.peak_acceleration)
         for op, name, letter, factor in zip(
@@ -89,7 +90,7 @@ def _dwells(draft: Draft, order: CamTask) -> dict[int, Mark]:
 
 def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
     """Calculate how far a cam is from each of its limits: negative where it passes one."""
-    if isinstance(order.follower, FlatFollower):
+    if isinstance(order.follower, FlatFollower | FlatRockerFollower):
         least = draft.take(Number, "[ρ]", order.follower.least, "m")
         (flattest,) = cam.curvature.extremes
         return {"left_curvature": draft.draw(f.above, "Δρ", flattest.value, least, unit="m")}
@@ -118,7 +119,7 @@ def _motion(draft: Draft, cam: Cam, order: CamTask) -> tuple[Mark | None, Mark |
     """Calculate velocity and acceleration from the ordinates of dS/dφ and d²S/dφ²."""
     if order.speed is None:
         return None, None
-    rocks = isinstance(order.follower, RockerFollower)
+    rocks = order.rocks
     letters = ("ω_{B}", "ε_{B}") if rocks else ("v_{B}", "a_{B}")
     units = ("1/s", "1/s²") if rocks else ("m/s", "m/s²")
     omega = draft.take(Number, "ω_1", order.speed, "1/s")

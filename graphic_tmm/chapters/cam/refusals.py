@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.bounds import POSITIVE, TaskError
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.task import (
     BY_DIAGRAM,
     CamTask,
@@ -166,6 +167,8 @@ def _refuse_sizes(order: CamTask) -> None:
     follower = order.follower
     if isinstance(follower, RockerFollower):
         sizes |= {"lever": follower.lever, "centres": follower.centres}
+    if isinstance(follower, FlatRockerFollower):
+        sizes |= {"face": follower.face, "centres": follower.centres}
     for name, value in sizes.items():
         if value is not None:
             _bounded(name, value)
@@ -173,7 +176,7 @@ def _refuse_sizes(order: CamTask) -> None:
     for name, value in (*others.items(), *(("H", pole) for pole in order.poles)):
         if value is not None:
             POSITIVE.refuse("cam", name, value)
-    if isinstance(follower, RockerFollower) and order.stroke >= math.pi:
+    if order.rocks and order.stroke >= math.pi:
         says = said(
             "a lever that rocks by {stroke:g}° turns over: take less than 180°",
             stroke=math.degrees(order.stroke),
@@ -184,7 +187,7 @@ def _refuse_sizes(order: CamTask) -> None:
 
 def _refuse_choices(order: CamTask) -> None:
     follower = order.follower
-    if isinstance(follower, FlatFollower):
+    if isinstance(follower, FlatFollower | FlatRockerFollower):
         _bounded("least_curvature", follower.least)
     for name in ("pressure", "pressure_return", "share_of_r0", "share_of_curvature"):
         value = getattr(order, name)

@@ -8,6 +8,7 @@ on the curve.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count
 
@@ -102,7 +103,8 @@ def draw_rocker_centre(
     limits, ends, angles = _limits(
         draft, order, (points, paths, circle, pivot, begin), alike, sense
     )
-    highest, chart = _limit_diagram(draft, diagrams, angles)
+    rows = [(a, p.stretches) for a, p in zip(angles, diagrams.turn.phases, strict=True)]
+    highest, chart = draw_limit_diagram(draft, diagrams, rows)
     draft.open(VIEW)
     bound = draft.draw(slew, "(O_{min})", pivot, begin, highest, sense=-rocks)
     least_centre = draft.draw(lay_off, "O_{min}", bound, centres)
@@ -157,10 +159,16 @@ def _limits(
     return (lines[0], lines[1]), (ends[0], ends[1]), (angles[0], angles[1])
 
 
-def _limit_diagram(
-    draft: Draft, diagrams: Diagrams, angles: tuple[Mark, Mark]
+def draw_limit_diagram(
+    draft: Draft,
+    diagrams: Diagrams,
+    rows: Sequence[tuple[Mark, Sequence[tuple[int, int]]]],
+    rest: Mark | None = None,
 ) -> tuple[Mark, Chart]:
-    """Draw the least angle of the line of centres over the turn; return its highest value (Angle)."""
+    """Draw the least angle of the line of centres over the turn; return its highest value (Angle).
+
+    ``rows``: angles and the stretches over which they hold; ``rest``: the angle that a dwell needs.
+    """
     draft.open(LIMITS)
     mu = draft.take(Number, "μ_ψ", DEGREES, "°/mm")
     axes = graphs.draw_axes(draft, LIMITS, diagrams.base, mu)
@@ -168,10 +176,10 @@ def _limit_diagram(
     readings: list[Mark] = []
     numbers = count(1)
     top: Mark | None = None
-    for phase, angle in zip(diagrams.turn.phases, angles, strict=True):
+    for angle, stretches in rows:
         high = draft.draw(f.on_protractor, "y", angle)
         spots = draft.draw(lay_off, "β", lines, high, free=True)
-        for first, last in phase.stretches:
+        for first, last in stretches:
             curve = draft.draw(graph_of_stretch, "(β–β)", spots, first=first, last=last)
             own = draft.draw(crest_of_curve, f"k_{next(numbers)}", curve, above=1)
             top = (
@@ -181,6 +189,10 @@ def _limit_diagram(
             )
         readings.append(draft.draw(measure_along, f"β_{len(readings)}", axes.feet, spots, axes.up))
     assert top is not None
+    if rest is not None:
+        over = draft.draw(square, "(i_0)", axes.origin, axes.along, sense=1)
+        spot = draft.draw(lay_off, "β_d", over, draft.draw(f.on_protractor, "y_d", rest))
+        top = draft.draw(extreme_of_two, "k", top, spot, above=1, free=True)
     high = draft.draw(measure_along, "y_{max}", axes.origin, top, axes.up)
     found = draft.draw(f.off_protractor, "ψ_{0 min}", high, unit="°")
     assert found.kind is Angle

@@ -10,7 +10,7 @@ from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.centre import Centre
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.record import BESIDE
-from graphic_tmm.chapters.cam.task import CAM, RockerFollower
+from graphic_tmm.chapters.cam.task import CAM
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 
@@ -20,7 +20,7 @@ PLAN = CAM
 def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     """Return S, dS/dφ, d²S/dφ² and the pressure angle by positions; mm on the diagrams and quantities."""
     made, reading = CAM_PLAN.on(drawn), drawn.reading
-    rocks = isinstance(made.order.follower, RockerFollower)
+    rocks = made.order.rocks
     count = made.diagrams.turn.positions
     motion = "rad" if rocks else "m"
     found = []
@@ -80,6 +80,9 @@ def cam_marks(made: Cam) -> Mapping[str, Mark]:
     if made.pressure is not None:
         highest, lowest = made.pressure.extremes
         marks |= {"pressure_rise": highest.value, "pressure_return": lowest.value}
+    if made.contact is not None and made.face is not None:
+        farthest, nearest = made.contact.extremes
+        marks |= {"face_to": farthest.value, "face_from": nearest.value, "face_length": made.face}
     marks["least_curvature"] = made.curvature.extremes[0].value
     return marks
 

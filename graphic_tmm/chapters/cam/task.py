@@ -9,6 +9,17 @@ from pkgutil import resolve_name
 from typing import TYPE_CHECKING, Any
 
 from graphic_tmm.board.bounds import POSITIVE, Bound
+from graphic_tmm.chapters.cam.kinds import (
+    KEYS,
+    ROCKING,
+    FlatRockerFollower,
+    Follower,
+    RollerFollower,
+    flaws,
+    follower_of,
+)
+from graphic_tmm.chapters.cam.kinds import FlatFollower as FlatFollower
+from graphic_tmm.chapters.cam.kinds import RockerFollower as RockerFollower
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
@@ -26,8 +37,8 @@ GRAPHS = "cam graphs"
 """The size of a cam's diagrams; that of its other views is called as the chapter is."""
 
 
-EDGE, BY_DIAGRAM = "knife edge", "diagram"
-"""The follower without a roller; the law that is given by points of its acceleration diagram."""
+BY_DIAGRAM = "diagram"
+"""The law that is given by points of its acceleration diagram."""
 RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"
 """The key that tells how the diagram of the return is meant: the rise run backwards, or by the sign of S″."""
 
@@ -54,40 +65,6 @@ class Law:
 
     name: str
     points: tuple[tuple[float, float], ...] = ()
-
-
-@dataclass(frozen=True)
-class RollerFollower:
-    """A roller on a translating rod, or its knife ``edge``.
-
-    ``offset`` e (m) of its guide from the centre of the cam, positive to the side that lessens the pressure
-    angle of the rise; 0 for a central follower.
-    """
-
-    offset: float = 0.0
-    edge: bool = False
-
-
-@dataclass(frozen=True)
-class RockerFollower:
-    """A roller on a rocking lever: length of the lever and distance of the centres (m).
-
-    ``same_sense``: on the rise the lever turns as the cam does.
-    """
-
-    lever: float
-    centres: float
-    same_sense: bool = False
-
-
-@dataclass(frozen=True)
-class FlatFollower:
-    """A flat face square to its translation; ``least``: the least radius of curvature allowed (m)."""
-
-    least: float = 0.0
-
-
-Follower = RollerFollower | RockerFollower | FlatFollower
 
 
 def _stroke(value: object, names: Names) -> float:
@@ -155,14 +132,6 @@ def _return_law(said: Said) -> Law:
         return Law(name, tuple((1.0 - share, -value) for share, value in reversed(points)))
     sign = -1.0 if getattr(said, RETURN) == AS_GIVEN else 1.0
     return Law(name, tuple((share, sign * value) for share, value in points))
-
-
-def _follower(said: Said) -> Follower:
-    if said.follower == "flat":
-        return FlatFollower(said.least_curvature)
-    if said.follower == "rocker":
-        return RockerFollower(said.lever or 0.0, said.centres or 0.0, said.sense == "along")
-    return RollerFollower(said.offset, said.follower == EDGE or said.roller == 0.0)
 
 
 def _pressure(said: Said) -> float:
@@ -250,30 +219,7 @@ class CamTask:
             )
         },
     )
-    follower: Follower = combined_key(
-        _follower,
-        RollerFollower(),
-        follower=key(
-            v.choice("roller", EDGE, "rocker", "flat"), "what follows the cam", "roller", "roller"
-        ),
-        offset=key(v.LENGTH, "offset of the roller's guide", "10 mm", 0.0),
-        lever=key(v.POSITIVE_LENGTH, "length of the rocker's lever", "80 mm", None),
-        centres=key(
-            v.POSITIVE_LENGTH, "distance of the rocker's pivot and the cam's", "100 mm", None
-        ),
-        sense=key(
-            v.choice("against", "along"),
-            "on the rise the lever turns against the cam, or along",
-            "against",
-            "against",
-        ),
-        least_curvature=key(
-            replace(v.LENGTH, bound=Bound(0)),
-            "least radius of curvature under a flat face",
-            "5 mm",
-            0.0,
-        ),
-    )
+    follower: Follower = combined_key(follower_of, RollerFollower(), **KEYS)
     turns: str = key(v.TURNS, "which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
     pressure: float = combined_key(
         _pressure,
@@ -313,9 +259,14 @@ class CamTask:
     poles: tuple[float, float] = (30.0, 30.0)
 
     @property
+    def rocks(self) -> bool:
+        """Whether the follower swings through an angle."""
+        return isinstance(self.follower, RockerFollower | FlatRockerFollower)
+
+    @property
     def letters(self) -> dict[str, str]:
         """The letters of the follower's displacement and its derivatives: S, or ψ where it rocks."""
-        letter = "ψ" if isinstance(self.follower, RockerFollower) else "S"
+        letter = "ψ" if self.rocks else "S"
         return {"S": letter, "V": f"{letter}′", "A": f"{letter}″"}
 
 
@@ -324,20 +275,8 @@ ASKED: SectionKey[CamTask] = SectionKey("cam")
 
 def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section."""
-    rocks, angle = cam.follower == "rocker", is_angle(parts.doc["cam"]["stroke"])
-    if rocks and not angle:
-        yield Flaw(("cam", "stroke"), said('a rocker swings through an angle; write "20 deg"'))
-    if not rocks and angle:
-        yield Flaw(
-            ("cam", "stroke"), said('this follower moves along its guide; write a length, "28 mm"')
-        )
-    for name in ("lever", "centres"):
-        if rocks and getattr(cam, name) is None:
-            yield Flaw(("cam", name), said('a rocker needs it; write, for example, "80 mm"'))
-        if not rocks and getattr(cam, name) is not None:
-            says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
-            yield Flaw(("cam", name), says)
-    yield from _rollers(cam)
+    rocks = cam.follower in ROCKING
+    yield from flaws(cam, is_angle(parts.doc["cam"]["stroke"]))
     if cam.pressure is not None and cam.transmission is not None:
         says = said("pressure says the same; leave one of them out")
         yield Flaw(("cam", "transmission"), says)
@@ -352,18 +291,6 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
             )
             yield Flaw(("cam", name), says)
     yield from _laws(cam)
-
-
-def _rollers(cam: Said) -> Iterator[Flaw]:
-    """A roller that no follower of the kind has."""
-    for wrong, says in (
-        ((cam.roller or 0.0) < 0.0, said("a radius is not negative; write 0 for a knife edge")),
-        (cam.roller == 0.0 and cam.follower == "rocker",
-         said('a lever has a roller; write, for example, "10 mm"')),
-        (cam.roller and cam.follower == EDGE, said("a knife edge has no roller: leave it out")),
-    ):  # fmt: skip
-        if wrong:
-            yield Flaw(("cam", "roller"), says)
 
 
 def _laws(cam: Said) -> Iterator[Flaw]:

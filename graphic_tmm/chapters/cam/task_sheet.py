@@ -6,12 +6,12 @@ import math
 from collections.abc import Iterator
 from itertools import accumulate, pairwise
 
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower, RollerFollower
 from graphic_tmm.chapters.cam.task import (
     ASKED,
     CamTask,
     FlatFollower,
     RockerFollower,
-    RollerFollower,
 )
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -38,7 +38,7 @@ def given(scene: Scene) -> Iterator[Given]:
     order = ASKED.of(scene)
     if order is None:
         return
-    rocks = isinstance(order.follower, RockerFollower)
+    rocks = order.rocks
     yield (Given("β", math.degrees(order.stroke), "°") if rocks else Given("h", order.stroke, SIZE))
     phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
     for number, angle in enumerate(phases, 1):
@@ -48,7 +48,7 @@ def given(scene: Scene) -> Iterator[Given]:
         yield given_speed("1", order.speed)
     yield from _laws(order)
     yield from _follower(order)
-    if not isinstance(order.follower, FlatFollower):
+    if not isinstance(order.follower, FlatFollower | FlatRockerFollower):
         yield Given("[α]", order.pressure, "°")
         if order.pressure_return is not None and order.pressure_return != order.pressure:
             yield Given("[α_f]", order.pressure_return, "°")
@@ -65,6 +65,7 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         kind = kinds[bool(follower.offset)]
     else:
         kind = _ROCKER if isinstance(follower, RockerFollower) else _FLAT
+        kind = _FLAT_ROCKER if isinstance(follower, FlatRockerFollower) else kind
     yield speaking(language)(kind)
 
 
@@ -74,6 +75,7 @@ _EDGE = said("The follower is central, with a knife edge.")
 _OFFSET_EDGE = said("The follower is offset, with a knife edge.")
 _ROCKER = said("The follower is a lever with a roller.")
 _FLAT = said("The follower has a flat face.")
+_FLAT_ROCKER = said("The follower is a lever with a flat face.")
 
 
 def _laws(order: CamTask) -> Iterator[Given]:
@@ -93,7 +95,11 @@ def _follower(order: CamTask) -> Iterator[Given]:
         yield Given("a_w", follower.centres, SIZE)
     elif isinstance(follower, RollerFollower) and follower.offset:
         yield Given("e", follower.offset, SIZE)
-    elif isinstance(follower, FlatFollower) and follower.least:
+    elif isinstance(follower, FlatRockerFollower):
+        yield Given("a_w", follower.centres, SIZE)
+        if follower.face:
+            yield Given("d", follower.face, SIZE)
+    if isinstance(follower, FlatFollower | FlatRockerFollower) and follower.least:
         yield Given("[ρ]", follower.least, SIZE)
 
 
@@ -125,7 +131,7 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
     for one in _sizes(order, wide):
         strokes += added(one.strokes, "dimension")
         labels.append(one.label)
-    letters = ("ψ" if isinstance(order.follower, RockerFollower) else "S", "φ")
+    letters = ("ψ" if order.rocks else "S", "φ")
     wanted = (
         Wanted(letters[0], tips[1][0], LETTERS_SIZE, 1.0, -1 + 0j),
         Wanted(letters[1], tips[0][0], LETTERS_SIZE, 1.0, 1j),
@@ -162,7 +168,7 @@ def _sizes(order: CamTask, wide: float) -> Iterator[Dimension]:
         narrow = end - start < 4.0 * ARROW
         below = -ROWS[1 if narrow else 0]
         yield dimension(complex(start), complex(end), below, f"φ_{{{number}}}", LETTERS_SIZE)
-    letter = "β" if isinstance(order.follower, RockerFollower) else "h"
+    letter = "β" if order.rocks else "h"
     yield dimension(0j, 1j * HIGH, OVER, letter, LETTERS_SIZE)
 
 
@@ -172,7 +178,7 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     if order is None:
         return
     _ = speaking(language)
-    flat = isinstance(order.follower, FlatFollower)
+    flat = isinstance(order.follower, FlatFollower | FlatRockerFollower)
     yield _(_DIAGRAMS)
     yield _(_CONVEX if flat else _RADIUS)
     edge = isinstance(order.follower, RollerFollower) and order.follower.edge

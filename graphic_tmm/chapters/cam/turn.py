@@ -24,9 +24,10 @@ from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam import words as why
 from graphic_tmm.chapters.cam.centre import Centre, Convexity
 from graphic_tmm.chapters.cam.diagrams import Diagrams
+from graphic_tmm.chapters.cam.flat_rocker import FaceRegion
 from graphic_tmm.chapters.cam.operations import crest_of_curve, extreme_of_two, phase_end
 
-PRESSURE, CURVATURE = "cam pressure", "cam curvature"
+PRESSURE, CURVATURE, CONTACT = "cam pressure", "cam curvature", "cam contact"
 DEGREES = 1.0
 """Degrees of the pressure angle per mm of its diagram."""
 ROOM = 40.0
@@ -100,20 +101,48 @@ def draw_curvature(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiag
     return TurnDiagram(axes, chart, points, curves, (Extreme(point, value, angle),))
 
 
-def draw_radii(draft: Draft, diagrams: Diagrams, of: Convexity) -> TurnDiagram:
+def draw_radii(draft: Draft, diagrams: Diagrams, of: Convexity | FaceRegion) -> TurnDiagram:
     """Draw the radius of curvature of a cam with a flat face; its extreme is the least one (m)."""
     draft.open(CURVATURE)
     mu = draft.scale("μ_ρ", "m/mm")
     axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, mu)
     heights = [draft.draw(rescaled, "y_ρ", radius, mu) for radius in of.radii]
     points, curves, readings = _raised(draft, diagrams, axes, heights, "ρ")
-    circle = draft.draw(total, "ρ_d", of.radius, of.motion.S)
+    circle = (
+        of.rest if isinstance(of, FaceRegion) else draft.draw(total, "ρ_d", of.radius, of.motion.S)
+    )
     high = draft.draw(rescaled, "y_d", circle, of.mu, mu)
     _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, high))
     point, y, angle = _extreme(draft, axes, curves, -1)
     value = draft.draw(in_si, "ρ_{min}", y, unit="m")
     chart = Chart(CURVATURE, "ρ", "m", mu, readings, True, None, ROOM)
     return TurnDiagram(axes, chart, points, curves, (Extreme(point, value, angle),))
+
+
+def draw_contact(draft: Draft, diagrams: Diagrams, distance: Mark) -> tuple[TurnDiagram, Mark]:
+    """Draw how far the contact stands from its foot on a face; its extremes are the farthest and the nearest.
+
+    Return also the length of face between them (Number, m).
+
+    ``distance``: as read on the profile (Length).
+    """
+    draft.open(CONTACT)
+    mu = draft.scale("μ_x", "m/mm")
+    axes = graphs.draw_axes(draft, CONTACT, diagrams.base, mu)
+    high = draft.draw(rescaled, "y_x", distance, mu)
+    lines = draft.draw(square, "(i)", axes.feet, axes.along, sense=1, why=why.ANGLE_AT)
+    spots = draft.draw(lay_off, "x", lines, high, why=why.ANGLE_AT)
+    curves = _curves(draft, diagrams, [spots] * len(diagrams.stretches))
+    _outline(draft, diagrams, axes, [spots] * len(curves), spots)
+    extremes = []
+    for name, above in (("x_{max}", 1), ("x_{min}", -1)):
+        point, y, angle = _extreme(draft, axes, curves, above)
+        extremes.append(Extreme(point, draft.draw(in_si, name, y, unit="m"), angle))
+    reading = draft.draw(measure_along, "x", axes.feet, spots, axes.up, why=why.DIAGRAM_READ)
+    chart = Chart(CONTACT, "x", "m", mu, (reading,), True, None, ROOM)
+    drawn = TurnDiagram(axes, chart, (spots,) * len(curves), curves, tuple(extremes))
+    length = draft.draw(f.face_length, "l_f", *(one.value for one in extremes), unit="m")
+    return drawn, length
 
 
 def _raised(

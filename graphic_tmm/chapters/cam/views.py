@@ -7,18 +7,19 @@ from itertools import accumulate
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapters.cam.centre import Convexity
+from graphic_tmm.chapters.cam.centre import Centre, Convexity
 from graphic_tmm.chapters.cam.diagrams import VIEWS
+from graphic_tmm.chapters.cam.flat_rocker import FaceLever
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink, draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
+from graphic_tmm.chapters.cam.ink_flat_rocker import draw_face_ink
 from graphic_tmm.chapters.cam.ink_rules import DIAGRAM_RULES
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
-from graphic_tmm.chapters.cam.task import RockerFollower
 from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.fitting.subjects import subject, with_caption
@@ -59,7 +60,7 @@ def scheme_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the mechanism's scheme in one position."""
     made, language = CAM_PLAN.on(drawn), drawn.scene.language
     pressure = ""
-    if made.pressure is not None and not isinstance(made.centre, Convexity):
+    if isinstance(made.centre, Centre):
         angle = drawn.reading.figure(made.centre.pressure)[0, position_of(drawn.reading, made)]
         pressure = f"α = {fixed(abs(float(angle)), 1, language)}°"
     told = SchemeNames(pressure, f"r_{{0}} = {_mm(drawn, made.r0)}")
@@ -77,7 +78,7 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
     second: list[Drawing] = []
     for view in dict.fromkeys(f.view for f in log.figures if f.kind == "axes"):
         called = RADII if view == CURVATURE and made.pressure is None else view
-        if isinstance(made.order.follower, RockerFollower) and view in (
+        if made.order.rocks and view in (
             "cam S",
             "cam dS",
             "cam ddS",
@@ -171,6 +172,7 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
     )
     draw = draw_rocker_ink if isinstance(made.path, Lever) else draw_centre_ink
     draw = draw_convexity_ink if flat else draw
+    draw = draw_face_ink if isinstance(made.path, FaceLever) else draw
     on = subject(drawn, captions(language)["cam centre"], PLAN)
     lines = (_lengths(drawn, made), f"{told.least}, {told.r0}")
     known = (made.least, made.r0)

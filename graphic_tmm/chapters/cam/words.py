@@ -29,6 +29,7 @@ CAPTIONS: dict[str, str] = {
     "cam curvature": said("Curvature of the profile"),
     "cam radii": said("Radius of curvature of the profile"),
     "cam limits": said("Limits of the centre"),
+    "cam contact": said("Place of the contact on the face"),
     "cam integration": said("Integration of the acceleration"),
     "cam rise acceleration": said("Acceleration of the follower in the rise"),
     "cam rise velocity": said("Velocity of the follower in the rise"),
@@ -53,6 +54,7 @@ CAPTIONS: dict[str, str] = {
     "symbol cam pressure": said("α"),
     "symbol cam curvature": said("κ"),
     "symbol cam radii": said("ρ"),
+    "symbol cam contact": "x",
     "symbol cam": said("y"),
     "cam pressure angle": said("α"),
     "phase rise": said("Rise"),
@@ -65,6 +67,9 @@ CAPTIONS: dict[str, str] = {
     "pressure_rise": said("largest α, rise"),
     "pressure_return": said("largest α, return"),
     "least_curvature": said("ρ_{min}"),
+    "face_to": said("x of the contact, farthest"),
+    "face_from": said("x of the contact, nearest"),
+    "face_length": said("length of face needed"),
     "left_rise": said("[α] − α, rise"),
     "left_return": said("[α] − α, return"),
     "left_roller_r0": said("[r] by r_{0} − r"),
@@ -131,6 +136,29 @@ PROFILE_POINT = said(
     "In this place of the follower its point B is a point of the theoretical profile."
 )
 CONTACT = said("The roller touches the cam on the normal, by its radius nearer to the cam.")
+FACE_ARM = said(
+    "The two arms lead to E; what of O1E falls on the line of the centres is the radius of curvature, and "
+    "the distance of the face from its pivot."
+)
+FACE_TANGENT = said(
+    "Seen square to this tangent E is just as far as the least radius of curvature wants."
+)
+FACE_LIMIT = said(
+    "The line of the centres that is square to the tangent is the limit of this position: one that is "
+    "nearer to the lever would let the profile become too sharp."
+)
+FACE_CENTRE = said(
+    "The centre stands below the lowest face by r0, and at its distance from the pivot."
+)
+FACE_RADIUS = said(
+    "The projection of O1E on the line of the centres reaches from the pivot as far as the centre of "
+    "curvature lies below it."
+)
+INSTANT_CENTRE = said("In this point of the line of the centres cam and lever have one velocity.")
+FACE_CONTACT = said(
+    "The normal of the contact passes the instant centre: square to the face it leads to the contact."
+)
+FACE_LENGTH = said("So far from its foot the face has to reach in this position.")
 DWELL = said("While the follower rests the profile is an arc about the centre of the cam.")
 PHASE_FOOT = said("The phase takes its share of the base.")
 PHASE_PART = said("The phase is divided into equal parts of the angle.")

@@ -11,6 +11,7 @@ from support.cams import C6, SHAPES, Made, displaced, made, motion, outline, pol
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.chapters.cam.findings import cam_findings
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.task import (
     CamTask,
     FlatFollower,
@@ -30,6 +31,7 @@ FOLLOWERS: dict[str, Follower] = {
     "rocker": RockerFollower(0.08, 0.1),
     "rocker along": RockerFollower(0.08, 0.1, same_sense=True),
     "flat": FlatFollower(0.005),
+    "flat rocker": FlatRockerFollower(0.09, 0.012, 0.004),
 }
 ANGLES = np.arange(720) * 0.5
 
@@ -37,7 +39,8 @@ ANGLES = np.arange(720) * 0.5
 @cache
 def drawn(name: str, law: Law, turns: str = "counterclockwise") -> Made:
     follower = FOLLOWERS[name]
-    data = {**C6, "stroke": 0.35} if isinstance(follower, RockerFollower) else C6
+    swing = {RockerFollower: 0.35, FlatRockerFollower: 0.2}.get(type(follower))
+    data = {**C6, "stroke": swing} if swing else C6
     pressure = 40.0 if isinstance(follower, RockerFollower) else 30.0
     return made(
         CamTask(
@@ -50,6 +53,7 @@ def off(of: Made) -> float:
     """How far the follower is from S(φ) at most over 720 angles, m along the roller's path."""
     follower = of.cam.order.follower
     lever = follower.lever if isinstance(follower, RockerFollower) else 1.0
+    lever = follower.centres if isinstance(follower, FlatRockerFollower) else lever
     due = motion(of.cam.order, ANGLES)[0]
     return float(np.abs(displaced(of, ANGLES) - due).max() * lever)
 

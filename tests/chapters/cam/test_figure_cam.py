@@ -12,11 +12,14 @@ from support.gallery import exact
 
 from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.cam.centre import Convexity
+from graphic_tmm.chapters.cam.flat_rocker import FaceRegion
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink, draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
+from graphic_tmm.chapters.cam.ink_flat_rocker import draw_face_ink
 from graphic_tmm.chapters.cam.ink_rules import TRACELESS
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import (
     CamTask,
@@ -42,7 +45,9 @@ def views(order: CamTask) -> tuple[Construction, list[Drawing]]:
     on = Subject(of.log, of.reading, "X", WALL)
     names = [str(k) for k in range(of.cam.diagrams.turn.positions)]
     told = CentreNames(names, "S", "dS/dφ", "r_{min}", "r_{0}")
-    if isinstance(of.cam.centre, Convexity):
+    if isinstance(of.cam.centre, FaceRegion):
+        centre = draw_face_ink(on, of.cam, told)
+    elif isinstance(of.cam.centre, Convexity):
         centre = draw_convexity_ink(on, of.cam, told)
     else:
         draw = draw_rocker_ink if isinstance(of.cam.path, Lever) else draw_centre_ink
@@ -70,6 +75,9 @@ def random_order(draw: random.Random, kind: str) -> CamTask:
     if kind == "rocker":
         follower = RockerFollower(0.1, 0.13, same_sense=draw.random() < 0.5)
         stroke, pressure = draw.uniform(0.15, 0.3), 45.0
+    elif kind == "flat rocker":
+        follower = FlatRockerFollower(0.12, draw.choice((0.0, 0.01)), 0.004, draw.random() < 0.5)
+        stroke = draw.uniform(0.1, 0.2)
     elif kind == "flat":
         follower = FlatFollower(0.004)
     else:
@@ -94,7 +102,7 @@ def test_steps_of_the_scene_are_its_ink() -> None:
     assert_laws(work.construction, drawn)
 
 
-@pytest.mark.parametrize("kind", ["central", "offset", "rocker", "flat"])
+@pytest.mark.parametrize("kind", ["central", "offset", "rocker", "flat", "flat rocker"])
 def test_the_scheme_shows_the_follower_as_it_stands(kind: str) -> None:
     """The roller's centre of a rod stands above its guide's foot; angles are those that the log measured."""
     order = random_order(random.Random(f"scheme {kind}"), kind)
@@ -105,7 +113,7 @@ def test_the_scheme_shows_the_follower_as_it_stands(kind: str) -> None:
     assert_pictures_make_the_view(of.log, view)
     k = position_of(of.reading, of.cam)
     rollers = [stroke for stroke in view.strokes if stroke.part == "roller"]
-    if kind == "flat":
+    if kind.startswith("flat"):
         assert not rollers
         return
     (rim,) = [stroke for stroke in rollers if stroke.pen == "main"]
@@ -131,7 +139,7 @@ def test_the_scheme_of_the_scene_shows_the_largest_pressure_angle() -> None:
 
 @pytest.mark.turns(1)
 @pytest.mark.slow
-@pytest.mark.parametrize("kind", ["central", "offset", "rocker", "flat"])
+@pytest.mark.parametrize("kind", ["central", "offset", "rocker", "flat", "flat rocker"])
 def test_steps_of_random_cams_are_their_ink(kind: str) -> None:
     draw = random.Random(kind)
     for _ in range(4):

@@ -12,10 +12,13 @@ import shapely
 from support.cams import C6, Made, made, outline
 
 from graphic_tmm.chapters.cam.centre import Convexity
+from graphic_tmm.chapters.cam.flat_rocker import FaceRegion
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink, draw_rocker_ink
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
+from graphic_tmm.chapters.cam.ink_flat_rocker import draw_face_ink
 from graphic_tmm.chapters.cam.ink_rules import DIAGRAM_RULES
+from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import (
     CamTask,
@@ -37,6 +40,7 @@ from graphic_tmm.studio import make
 
 WALL = HEIGHTS["A1"]
 ROCKING = {**C6, "stroke": 0.35, "pressure": 40.0}
+FACE = {**C6, "stroke": 0.25}
 TRIANGLES = Law("diagram", ((0, 0), (0.25, 1), (0.75, -1), (1, 0)))
 ORDERS = {
     "central": CamTask(**C6, r0=0.0521, roller=0.0168),
@@ -48,6 +52,10 @@ ORDERS = {
         **ROCKING, follower=RockerFollower(0.08, 0.1, same_sense=True), turns="clockwise"
     ),
     "flat": CamTask(**C6, follower=FlatFollower(0.005)),
+    "flat rocker": CamTask(**FACE, follower=FlatRockerFollower(0.09, 0.01, 0.004)),
+    "flat rocker along": CamTask(
+        **FACE, follower=FlatRockerFollower(0.09, same_sense=True), turns="clockwise"
+    ),
     "no dwells": CamTask(0.02, 180, 0, 180, 0),
 }
 
@@ -76,6 +84,8 @@ def graph(of: Made, view: str, lettered: bool = True) -> Drawing:
 def centre(of: Made, lettered: bool = True) -> Drawing:
     names = CentreNames(positions(of), "S", "dS/dφ", "r_{min}", "r_{0}")
     on = Subject(of.log, of.reading, "X", WALL)
+    if isinstance(of.cam.centre, FaceRegion):
+        return finished(draw_face_ink(on, of.cam, names), lettered)
     if isinstance(of.cam.centre, Convexity):
         return finished(draw_convexity_ink(on, of.cam, names), lettered)
     draw = draw_rocker_ink if isinstance(of.cam.path, Lever) else draw_centre_ink

@@ -1,0 +1,134 @@
+"""What may follow a cam: a roller or an edge on a rod, a roller on a lever, a flat face on either; keys."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+from graphic_tmm.board.bounds import Bound
+from graphic_tmm.language.said import said
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Flaw, Said, key
+
+EDGE, FLAT_ROCKER = "knife edge", "flat rocker"
+"""The follower without a roller; the lever with a flat face."""
+ROCKING = ("rocker", FLAT_ROCKER)
+"""Followers that swing through an angle."""
+
+
+@dataclass(frozen=True)
+class RollerFollower:
+    """A roller on a translating rod, or its knife ``edge``.
+
+    ``offset`` e (m) of its guide from the centre of the cam, positive to the side that lessens the pressure
+    angle of the rise; 0 for a central follower.
+    """
+
+    offset: float = 0.0
+    edge: bool = False
+
+
+@dataclass(frozen=True)
+class RockerFollower:
+    """A roller on a rocking lever: length of the lever and distance of the centres (m).
+
+    ``same_sense``: on the rise the lever turns as the cam does.
+    """
+
+    lever: float
+    centres: float
+    same_sense: bool = False
+
+
+@dataclass(frozen=True)
+class FlatFollower:
+    """A flat face square to its translation; ``least``: the least radius of curvature allowed (m)."""
+
+    least: float = 0.0
+
+
+@dataclass(frozen=True)
+class FlatRockerFollower:
+    """A flat face on a rocking lever: distance of the centres, and of the ``face`` from the pivot (m).
+
+    ``face``: by so much the face lies nearer to the cam than the pivot; ``least`` as of `FlatFollower`,
+    ``same_sense`` as of `RockerFollower`.
+    """
+
+    centres: float
+    face: float = 0.0
+    least: float = 0.0
+    same_sense: bool = False
+
+
+Follower = RollerFollower | RockerFollower | FlatFollower | FlatRockerFollower
+
+
+def follower_of(said: Said) -> Follower:
+    """Return the follower that the keys of a section say."""
+    along = said.sense == "along"
+    if said.follower == "flat":
+        return FlatFollower(said.least_curvature)
+    if said.follower == "rocker":
+        return RockerFollower(said.lever or 0.0, said.centres or 0.0, along)
+    if said.follower == FLAT_ROCKER:
+        sizes = (said.centres or 0.0, said.face or 0.0, said.least_curvature)
+        return FlatRockerFollower(*sizes, along)
+    return RollerFollower(said.offset, said.follower == EDGE or said.roller == 0.0)
+
+
+_NOT_NEGATIVE = replace(v.LENGTH, bound=Bound(0))
+KEYS = {
+    "follower": key(
+        v.choice("roller", EDGE, "rocker", "flat", FLAT_ROCKER), "what follows the cam", "roller",
+        "roller",
+    ),
+    "offset": key(v.LENGTH, "offset of the roller's guide", "10 mm", 0.0),
+    "lever": key(v.POSITIVE_LENGTH, "length of the rocker's lever", "80 mm", None),
+    "centres": key(
+        v.POSITIVE_LENGTH, "distance of the rocker's pivot and the cam's", "100 mm", None
+    ),
+    "face": key(
+        _NOT_NEGATIVE, "how much nearer to the cam than its pivot the face of a flat rocker lies",
+        "12 mm", None,
+    ),
+    "sense": key(
+        v.choice("against", "along"),
+        "on the rise the lever turns against the cam, or along",
+        "against",
+        "against",
+    ),
+    "least_curvature": key(
+        _NOT_NEGATIVE, "least radius of curvature under a flat face", "5 mm", 0.0
+    ),
+}  # fmt: skip
+"""The keys that `follower_of` reads."""
+
+_OWN = {"lever": ("rocker",), "centres": ROCKING, "face": (FLAT_ROCKER,)}
+"""Followers that have a size."""
+
+
+def flaws(cam: Said, angle: bool) -> Iterator[Flaw]:
+    """Yield what contradicts the follower; ``angle``: the stroke is written as an angle."""
+    rocks = cam.follower in ROCKING
+    if rocks and not angle:
+        yield Flaw(("cam", "stroke"), said('a rocker swings through an angle; write "20 deg"'))
+    if not rocks and angle:
+        yield Flaw(
+            ("cam", "stroke"), said('this follower moves along its guide; write a length, "28 mm"')
+        )
+    for name, own in _OWN.items():
+        given = getattr(cam, name) is not None
+        if cam.follower in own and not given and name != "face":
+            yield Flaw(("cam", name), said('a rocker needs it; write, for example, "80 mm"'))
+        if cam.follower not in own and given:
+            says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
+            yield Flaw(("cam", name), says)
+    for wrong, says in (
+        ((cam.roller or 0.0) < 0.0, said("a radius is not negative; write 0 for a knife edge")),
+        (cam.roller == 0.0 and cam.follower == "rocker",
+         said('a lever has a roller; write, for example, "10 mm"')),
+        (cam.roller and cam.follower == EDGE, said("a knife edge has no roller: leave it out")),
+    ):  # fmt: skip
+        if wrong:
+            yield Flaw(("cam", "roller"), says)
