@@ -64,13 +64,14 @@ def choice(*words: str, **synonyms: str) -> Kind:
     return Kind(read, {"type": "string", "enum": list(meant)})
 
 
-def choice_of(words: Callable[[], tuple[str, ...]]) -> Kind:
-    """Return the kind of one of some words that are asked for when a scene is read."""
+def choice_of(words: Callable[[], dict[str, str]]) -> Kind:
+    """Return the kind of one of some words that are asked for when a scene is read, and what each means."""
 
     def read(value: object, names: Names) -> str:
-        if isinstance(value, str) and value in words():
-            return value
-        raise ValueError(no_choice(value, list(words()), list(words())))
+        meant = words()
+        if isinstance(value, str) and value in meant:
+            return meant[value]
+        raise ValueError(no_choice(value, list(dict.fromkeys(meant.values())), list(meant)))
 
     return Kind(read, lambda: {"type": "string", "enum": list(words())})
 

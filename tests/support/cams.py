@@ -117,49 +117,81 @@ def shapes(law: Law) -> tuple[Shape, Shape, Shape]:
     return of(0), of(1), of(2)
 
 
+class Stage(NamedTuple):
+    """A phase of the turn: where it begins and how long it is (degrees), the follower's places, its law."""
+
+    start: float
+    extent: float
+    before: float
+    after: float
+    law: Law | None
+
+
+def stages(order: CamTask) -> list[Stage]:
+    """Return the phases of a cam, dwells among them; heights from the lowest place."""
+    h = order.stroke
+    rows = [
+        (order.rise, h, order.rise_law),
+        (order.upper_dwell, 0.0, None),
+        (order.fall, -h, order.return_law),
+        (order.lower_dwell, 0.0, None),
+    ]
+    if order.phases:
+        rows = [
+            (one.rise, one.stroke, one.law) if one.rise is not None
+            else (one.dwell, 0.0, None) if one.dwell is not None
+            else (one.fall, -(one.stroke or 0.0), one.law)
+            for one in order.phases
+        ]  # fmt: skip
+    ends = np.concatenate([[0.0], np.cumsum([row[0] for row in rows])])
+    high = np.concatenate([[0.0], np.cumsum([row[1] for row in rows])])
+    high -= high.min()
+    return [
+        Stage(ends[k], row[0], high[k], high[k + 1], row[2]) for k, row in enumerate(rows) if row[0]
+    ]
+
+
 def motion(order: CamTask, degrees: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return S, dS/dφ, d²S/dφ² in closed form (SI, per radian)."""
     phi = np.mod(degrees, 360.0)
-    top, h = order.rise + order.upper_dwell, order.stroke
-    found = [
-        np.where((phi > order.rise) & (phi < top), h, 0.0),
-        np.zeros_like(phi),
-        np.zeros_like(phi),
-    ]
-    for k in range(3):
-        for start, extent, law, sign in (
-            (0.0, order.rise, order.rise_law, 1.0),
-            (top, order.fall, order.return_law, -1.0),
-        ):
-            u = (phi - start) / extent
-            inside = (u >= 0) & (u <= 1)
-            shape = shapes(law)[k](np.clip(u, 0, 1))
-            value = sign * h * shape / np.radians(extent) ** k
-            if sign < 0 and k == 0:
-                value = h + value
-            found[k] = np.where(inside, value, found[k])
+    found = [np.zeros_like(phi), np.zeros_like(phi), np.zeros_like(phi)]
+    for one in stages(order):
+        u = (phi - one.start) / one.extent
+        inside = (u >= 0) & (u <= 1)
+        lift = one.after - one.before
+        for k in range(3):
+            value = np.zeros_like(phi)
+            if one.law is not None:
+                value = lift * shapes(one.law)[k](np.clip(u, 0, 1)) / np.radians(one.extent) ** k
+            found[k] = np.where(inside, value + (one.before if k == 0 else 0.0), found[k])
     return found[0], found[1], found[2]
 
 
 def outline(made_: Made, contour: Contour, *, fine: int = 96) -> np.ndarray:
     """Return a closed profile as drawn as points about the cam's centre, m: arcs of curves, arcs of dwells."""
     reading, cam = made_.reading, made_.cam
-    turn, order = cam.diagrams.turn, cam.order
     t = np.linspace(0.0, 1.0, fine, endpoint=False)[:, None]
     parts: list[np.ndarray] = []
-    rows = list(zip(contour.curves, cam.diagrams.stretches, strict=True))
-    for k, (mark, (phase, _, last)) in enumerate(rows):
+    rows = zip(contour.curves, cam.diagrams.stretches, strict=True)
+    moving = [one for one in stages(cam.order) if one.law is not None]
+    for mark, (phase, _, last) in rows:
         (controls,) = bezier(reading[mark])
         a, b, c, d = controls[0:-1:3], controls[1::3], controls[2::3], controls[3::3]
         spots = (1 - t) ** 3 * a + 3 * (1 - t) ** 2 * t * b + 3 * (1 - t) * t**2 * c + t**3 * d
         parts.append(spots.T.ravel())
-        after = rows[(k + 1) % len(rows)][1]
-        dwell = order.upper_dwell if phase is turn.rise else order.lower_dwell
-        if last == phase.last and after[0] is not phase and dwell > 0:
-            circle = reading[contour.upper if phase is turn.rise else contour.lower]
-            end = controls[-1] / abs(controls[-1])
+        if last != phase.last:
+            continue
+        own = cam.diagrams.turn.phases.index(phase)
+        after = moving[(own + 1) % len(moving)]
+        dwell = (after.start - moving[own].start - moving[own].extent) % 360.0
+        if 1e-6 < dwell < 360.0 - 1e-6:
+            told = next(
+                f.marks for f in made_.log.figures if mark in f.marks and f.kind == "contour"
+            )
+            circle = reading[told[(told.index(mark) + 1) % len(told)]]
+            end = controls[-1]
             turns = contour.sense * np.radians(np.linspace(0.0, dwell, 40 * fine, endpoint=False))
-            parts.append(circle.radius[0, 0] * end * np.exp(1j * turns))
+            parts.append(circle.radius[0, 0] * end / abs(end) * np.exp(1j * turns))
     return np.concatenate(parts) * made_.one(cam.profile.mu)
 
 
@@ -219,6 +251,7 @@ def place_of(made_: Made, degrees: np.ndarray) -> Callable[[np.ndarray], np.ndar
     rocks = sense if follower.same_sense else -sense
     assert cam.profile.feet is not None
     pivot = made_.reading[cam.profile.feet][0, 0]
+    pivot *= np.exp(1j * sense * np.radians(cam.diagrams.turn.angles[0]))  # where the turn begins
     pivot *= a / abs(pivot)  # where the sheet begins is free
     return lambda s: pivot * (1 - lever / a * np.exp(1j * rocks * (start + s))) * turn
 
@@ -343,10 +376,14 @@ def least_radius(order: CamTask, step: float = 0.02) -> float:
 
     tried = np.linspace(low, high, 400)
     # a constant acceleration has its corner in the middle of a phase, an eased velocity at both sixths
-    back, shares = order.rise + order.upper_dwell, np.array([1, 3, 5]) / 6
-    corners = [*order.rise * shares, *(back + order.fall * shares)]
+    corners = [
+        one.start + one.extent * share
+        for one in stages(order)
+        if one.law
+        for share in (1 / 6, 1 / 2, 5 / 6, *(share for share, _ in one.law.points))
+    ]
     coarse, dense = (np.append(np.arange(0.0, 360.0, t), corners) for t in (1.0, step))
-    first = next((k for k, r0 in enumerate(tried) if fits(r0, coarse)), None)
+    first = next((k for k, r0 in enumerate(tried) if fits(r0, coarse) and fits(r0, dense)), None)
     if first is None:
         return float("nan")
     low, high = tried[max(first - 1, 0)], tried[first]

@@ -192,12 +192,12 @@ def _limits(
     """Draw the tangents at the allowed pressure angles, to the curve of the rise and to that of the return."""
     found = []
     angles = limit_angles(draft, order)
-    for k, (phase, angle) in enumerate(zip(diagrams.turn.phases, angles, strict=True), 1):
+    for k, (phase, angle) in enumerate(zip(diagrams.turn.ways, angles, strict=True), 1):
         left = sense * phase.sign
         own = [
             draft.draw(touch_curve, f"(τ_{k})", curve, up, angle, sense=left, left=left)
             for curve, (of, _, _) in zip(curves, diagrams.stretches, strict=True)
-            if of == phase
+            if of.sign == phase.sign
         ]
         line = own[0]
         for other in own[1:]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -24,9 +24,10 @@ from graphic_tmm.chapters.cam.integral import Integral, draw_integral, lay_integ
 from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.laws.ground import Ground
+from graphic_tmm.chapters.cam.motion import BY_DIAGRAM
 from graphic_tmm.chapters.cam.operations import in_turn, phase_end
 from graphic_tmm.chapters.cam.phases import Phase, Turn
-from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask
+from graphic_tmm.chapters.cam.task import CamTask
 
 VIEWS = {"S": "cam S", "V": "cam dS", "A": "cam ddS"}
 ROOM = 50.0
@@ -54,16 +55,17 @@ class Diagrams:
     """The three diagrams, and what they share.
 
     ``angle``: the cam's angle of every position (Angle); ``steps``: that between two positions
-    (Angle), and ``phases`` the whole phase (Number, rad), for the rise and for the return; ``stroke``
-    (Number); ``integrals``: of the phases that are given by their acceleration diagram.
+    (Angle), ``phases`` the whole phase (Number, rad), ``strokes`` (Number), for each moving phase; ``stroke``
+    of them all (Number); ``integrals``: of the phases that are given by their acceleration diagram.
     """
 
     turn: Turn
     base: Base
     angle: Mark
     stroke: Mark
-    steps: tuple[Mark, Mark]
-    phases: tuple[Mark, Mark]
+    steps: tuple[Mark, ...]
+    phases: tuple[Mark, ...]
+    strokes: tuple[Mark, ...]
     S: Diagram
     V: Diagram
     A: Diagram
@@ -79,11 +81,20 @@ class _Common(NamedTuple):
     order: CamTask
     turn: Turn
     base: Base
-    stroke: Mark
-    extents: tuple[Mark, Mark]
-    phases: tuple[Mark, Mark]
+    lifts: tuple[_Lift, ...]
+    extents: tuple[Mark, ...]
+    phases: tuple[Mark, ...]
     shares: tuple[tuple[Mark, ...], ...]
     integrals: tuple[Integral | None, ...]
+    start: Mark | None
+
+
+class _Lift(NamedTuple):
+    """How far the follower goes in a phase (Number), on the diagram of S (Length), and above what (Length)."""
+
+    stroke: Mark
+    height: Mark
+    low: Mark | None = None
 
 
 def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
@@ -103,7 +114,12 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     stroke = draft.take(Number, "h", order.stroke, unit)
     mu_S, height = _scale_of_S(draft, order, stroke, unit)
     extents, steps, phases, shares = _divided(draft, turn)
-    common = _Common(order, turn, base, stroke, extents, phases, shares, ())
+    whole = _Lift(stroke, height)
+    lifts, start = (whole,) * len(turn.phases), None
+    if order.phases:
+        lifts = tuple(_lift(draft, phase, mu_S, unit) for phase in turn.phases)
+        start = _level(draft, "s_0", turn.phases[0].ends[0], mu_S, unit)
+    common = _Common(order, turn, base, lifts, extents, phases, shares, (), start)
     integrals = _integrals(draft, common)
     common = common._replace(integrals=integrals)
     mu_V = mu_S
@@ -113,9 +129,25 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     draft.open(VIEWS["A"])
     mu_A = draft.scale(f"μ_{{{letters['A']}}}", f"{unit}/mm")
     scales = (("S", mu_S), ("V", mu_V), ("A", mu_A))
-    S, V, A = (_diagram(draft, common, which, mu, height, unit) for which, mu in scales)
+    S, V, A = (_diagram(draft, common, which, mu, unit) for which, mu in scales)
     drawn = tuple(i for i in integrals if i is not None)
-    return Diagrams(turn, base, angle, stroke, steps, phases, S, V, A, drawn)
+    strokes = tuple(lift.stroke for lift in lifts)
+    return Diagrams(turn, base, angle, stroke, steps, phases, strokes, S, V, A, drawn)
+
+
+def _lift(draft: Draft, phase: Phase, mu: Mark, unit: str) -> _Lift:
+    """Take the stroke of a phase and where it begins."""
+    k = phase.number
+    stroke = draft.take(Number, f"h_{k}", phase.motion.stroke, unit)
+    height = draft.draw(to_board, f"h_{{S{k}}}", stroke, mu)
+    return _Lift(stroke, height, _level(draft, f"s_{k}", phase.low, mu, unit))
+
+
+def _level(draft: Draft, letter: str, high: float, mu: Mark, unit: str) -> Mark | None:
+    """Return a place above the lowest on the diagram of S (Length); None where it is the lowest."""
+    if high == 0.0:
+        return None
+    return draft.draw(to_board, letter, draft.take(Number, letter.upper(), high, unit), mu)
 
 
 def _scale_of_S(draft: Draft, order: CamTask, stroke: Mark, unit: str) -> tuple[Mark, Mark]:
@@ -128,9 +160,7 @@ def _scale_of_S(draft: Draft, order: CamTask, stroke: Mark, unit: str) -> tuple[
     return draft.draw(f.scale_of_stroke, scale, stroke, height, unit=f"{unit}/mm"), height
 
 
-def _divided(
-    draft: Draft, turn: Turn
-) -> tuple[tuple[Mark, Mark], tuple[Mark, Mark], tuple[Mark, Mark], tuple[tuple[Mark, ...], ...]]:
+def _divided(draft: Draft, turn: Turn) -> tuple[Any, ...]:
     """Take the phases and their even division: extents, steps (Angle), radians, shares of every stretch."""
     rows = []
     for phase in turn.phases:
@@ -146,31 +176,29 @@ def _divided(
             number = draft.take(Number, f"i_{name}", turn.over(ends, far.astype(float)))
             shares.append(draft.draw(law.share_of_parts, f"u_{name}", number, parts))
         rows.append((extent, step, radians, tuple(shares)))
-    (a, b) = rows
-    return (a[0], b[0]), (a[1], b[1]), (a[2], b[2]), (a[3], b[3])
+    return tuple(zip(*rows, strict=True))
 
 
 def _integrals(draft: Draft, common: _Common) -> tuple[Integral | None, ...]:
     found: list[Integral | None] = []
-    for phase in common.turn.phases:
+    for phase, lift in zip(common.turn.phases, common.lifts, strict=True):
         if phase.law.name == BY_DIAGRAM:
-            rest = (common.turn, phase, common.stroke, common.order)
+            rest = (common.turn, phase, lift.stroke, common.order)
             found.append(draw_integral(draft, common.base, *rest))
         else:
             found.append(None)
     return tuple(found)
 
 
-def _diagram(
-    draft: Draft, common: _Common, which: str, mu: Mark, height: Mark, unit: str
-) -> Diagram:
+def _diagram(draft: Draft, common: _Common, which: str, mu: Mark, unit: str) -> Diagram:
     """Draw one diagram over the turn: both phases, the dwells between them, the readings."""
     letter = common.order.letters[which]
     draft.open(VIEWS[which])
     axes = graphs.draw_axes(draft, VIEWS[which], common.base, mu)
     points: list[Mark] = []
     for k, integral in enumerate(common.integrals):
-        ground = _ground(draft, common, k, axes)
+        height = common.lifts[k].height
+        ground = _ground(draft, common, k, axes, common.lifts[k].low if which == "S" else None)
         if integral is None:
             points += laws()[ground.of.law.name].points(draft, ground, which, height)
         else:
@@ -195,7 +223,7 @@ def _diagram(
                 why=why.DIAGRAM_READ,
             )
         )
-    _outline(draft, common.turn, axes, points, which)
+    _outline(draft, common, axes, points, which)
     merged = merge(draft, common.turn, readings, letter)
     chosen = which == "A"
     wanted = common.order.mu_A if chosen else None
@@ -215,8 +243,11 @@ def merge(draft: Draft, turn: Turn, readings: Sequence[Mark], letter: str) -> Ma
     return found
 
 
-def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
-    """Mark on the base where a phase begins and ends, and its divisions; the turn begins at its origin."""
+def _ground(draft: Draft, common: _Common, k: int, axes: Axes, low: Mark | None) -> Ground:
+    """Mark on the base where a phase begins and ends, and its divisions; the turn begins at its origin.
+
+    ``low``: how high above the base the phase stands (Length), if not on it.
+    """
     phase, length = common.turn.phases[k], common.base.length
     ends = (phase.start, phase.start + phase.extent)
     draft.say(phase.name)
@@ -228,6 +259,8 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
         at = draft.take(Angle, f"φ_{name}", angle, "°")
         x = draft.draw(f.along_turn, f"x_{name}", at, length)
         feet.append(draft.draw(lay_off, name, axes.along, x, free=True, why=why.PHASE_FOOT))
+    if low is not None:
+        feet = [_over(draft, axes, foot, low) for foot in feet]
     near, far = feet
     inward = draft.draw(parallel, "(o)", near, axes.along, sense=phase.sign)
     out = draft.draw(parallel, "(o)", near, axes.along, sense=-phase.sign)
@@ -238,24 +271,36 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes) -> Ground:
         divisions.append(draft.draw(lay_off, "n", inward, x, free=True, why=why.PHASE_PART))
     rise = draft.draw(square, "(y)", near, axes.along, sense=1)
     drop = draft.draw(square, "(y)", near, axes.along, sense=-1)
-    rest = (common.phases[k], common.stroke, axes.mu)
+    rest = (common.phases[k], common.lifts[k].stroke, axes.mu)
     return Ground(
         phase, common.shares[k], tuple(divisions), axes.along, near, far, out, rise, drop, *rest
     )
 
 
-def _outline(draft: Draft, turn: Turn, axes: Axes, points: Sequence[Mark], which: str) -> None:
+def _over(draft: Draft, axes: Axes, foot: Mark, high: Mark) -> Mark:
+    """Mark the point over a place of the base."""
+    line = draft.draw(square, f"({foot.letter})", foot, axes.along, sense=1, why=why.LEVEL)
+    return draft.draw(lay_off, foot.letter, line, high, free=True, why=why.LEVEL)
+
+
+def _outline(draft: Draft, common: _Common, axes: Axes, points: Sequence[Mark], which: str) -> None:
     """Tell what is drawn besides the curves: the dwells, and the jumps of the acceleration."""
+    turn, start, finish = common.turn, axes.origin, axes.end
     rows = [(p, ends) for p in turn.phases for ends in p.stretches]
 
     def end(spots: Mark, at: int) -> Mark:
         return draft.draw(phase_end, f"{spots.letter}_e", spots, at=at, free=True)
 
-    draft.figure("outline", "start", axes.origin, end(points[0], 0))
+    if common.start is not None and which == "S":
+        start, finish = (_over(draft, axes, foot, common.start) for foot in (start, finish))
+    late = which == "A" and turn.phases[0].start > 0.0
+    feet = [end(axes.feet, 0)] if late else []
+    draft.figure("outline", "start", start, *feet, end(points[0], 0))
     for (spots, (_, (_, last))), (after, (_, (first, _))) in pairwise(
         zip(points, rows, strict=True)
     ):
         feet = [end(axes.feet, at) for at in (last, first)] if which == "A" and first > last else []
         draft.figure("outline", "between", end(spots, last), *feet, end(after, first))
-    feet = [end(axes.feet, turn.fall.last)] if which == "A" else []
-    draft.figure("outline", "lower dwell", end(points[-1], turn.fall.last), *feet, axes.end)
+    last = turn.phases[-1].last
+    feet = [end(axes.feet, last)] if which == "A" else []
+    draft.figure("outline", "lower dwell", end(points[-1], last), *feet, finish)

@@ -150,11 +150,11 @@ def _pressure(
     found = []
     if isinstance(cam.path, Lever):
         turn = cam.diagrams.turn
-        for mark, phase, limit in zip(cam.path.chart.ordinates, turn.phases, limits, strict=True):
-            own = reading[mark][0, phase.first : phase.last + 1]
-            gone = np.flatnonzero(~np.isfinite(own))
-            if gone.size:
-                place = turn.angles[phase.first + int(gone[gone.size // 2])]
+        for mark, way, limit in zip(cam.path.chart.ordinates, turn.ways, limits, strict=True):
+            own = [k for one in turn.like(way) for k in range(one.first, one.last + 1)]
+            gone = [k for k in own if not np.isfinite(reading[mark][0, k])]
+            if gone:
+                place = turn.angles[gone[len(gone) // 2]]
                 found.append(CamFinding("no centre", place, float("nan"), limit, *sizes))
     kind = "pressure" if sizes[0] < sizes[1] else "path"
     for extreme, limit, sign in zip(cam.pressure.extremes, limits, (1, -1), strict=True):

@@ -274,14 +274,16 @@ def _tip_of_offset(ink: CamInk) -> complex:
 
 def _last(ink: CamInk, points: Complexes) -> complex | None:
     """Where the lower dwell begins, if it leaves room for letters."""
-    last = complex(points[ink.cam.diagrams.turn.fall.last])
-    roomy = ink.cam.order.lower_dwell >= ROOMY and np.isfinite(last) and last != 0
+    turn = ink.cam.diagrams.turn
+    last = complex(points[turn.lowest.last])
+    roomy = turn.rest(turn.lowest) >= ROOMY and np.isfinite(last) and last != 0
     return last if roomy else None
 
 
 def _share(ink: CamInk, last: complex, *shares: float) -> complex:
     """Return the direction of the share of the dwell that keeps farthest from the centre lines."""
-    sense, dwell = ink.cam.profile.working.sense, ink.cam.order.lower_dwell
+    turn, sense = ink.cam.diagrams.turn, ink.cam.profile.working.sense
+    dwell = turn.rest(turn.lowest)
     turns = [sense * math.radians(share * dwell) for share in shares]
     ways = [last / abs(last) * cmath.exp(1j * turn) for turn in turns]
     return max(ways, key=lambda way: round(abs((way * way).imag), 6))

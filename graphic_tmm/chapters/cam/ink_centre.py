@@ -128,7 +128,7 @@ def _bodies(ink: _Region) -> Iterator[Ink]:
     """The hatching of the region, the allowed pressure angles, the chosen centre and the least one."""
     made, cam = ink.made, ink.on.cam
     assert made.apex is not None
-    for mark, end, phase in zip(made.limits, made.ends, cam.diagrams.turn.phases, strict=True):
+    for mark, end, phase in zip(made.limits, made.ends, cam.diagrams.turn.ways, strict=True):
         spot, way = ink.on.line(mark, 0)
         if finite(spot, ink.apex):
             side = -1 if phase.sign * cam.sense < 0 else 1
@@ -232,10 +232,11 @@ def draw_rocker_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
 def _bounds(ink: CamInk, made: Centre, path: Lever, texts: tuple[str, str]) -> Iterator[Bound]:
     """The limits that end on the circle below the lowest lever, by phase and position."""
     points, lowest = ink.all(made.points), ink.fixed_place(made.lowest)
-    rows = zip(made.limits, made.ends, texts, ink.cam.diagrams.turn.phases, strict=True)
+    rows = zip(made.limits, made.ends, texts, ink.cam.diagrams.turn.ways, strict=True)
     for limit, mark, text, phase in rows:
         ends = ink.all(mark)
-        for k in range(phase.first, phase.last + 1):
+        like = ink.cam.diagrams.turn.like(phase)
+        for k in (k for one in like for k in range(one.first, one.last + 1)):
             q, end = complex(points[k]), complex(ends[k])
             if finite(q, end):
                 turn = -path.sense * cmath.phase(end / lowest)

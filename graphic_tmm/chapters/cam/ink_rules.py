@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import accumulate
 from typing import NamedTuple
 
 import numpy as np
@@ -150,10 +151,14 @@ def _radius(ink: CamInk) -> float:
 
 
 def _phases(ink: CamInk) -> Iterator[Phase]:
-    """The phases that there are: rise, upper dwell, return, lower dwell; none where they have no room."""
-    turn, sense, spots = ink.cam.diagrams.turn, -ink.cam.sense, ink.all(_marks(ink))
-    at = (0, turn.rise.last, turn.fall.first, turn.fall.last)
-    ways = [complex(spots[k]) for k in at]
+    """The phases that there are; none where they have no room."""
+    sense, spots = -ink.cam.sense, ink.all(_marks(ink))
+    angles, ways = np.array(ink.cam.diagrams.turn.angles), list[complex]()
+    for begin in accumulate((stage.angle for stage in ink.cam.order.stages[:-1]), initial=0.0):
+        k = int(np.argmin(np.abs(angles - begin)))
+        # no position stands where the turn begins with a dwell: the next one is turned back
+        way = cmath.rect(1.0, sense * math.radians(begin - angles[k])) if k == 0 else 1.0
+        ways.append(complex(spots[k]) * way)
     radius = _radius(ink)
     if not finite(*ways, complex(radius)) or 0j in ways or radius < ROOM * ink.heights.number:
         return

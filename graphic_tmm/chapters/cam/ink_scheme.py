@@ -47,10 +47,16 @@ class SchemeNames(NamedTuple):
 
 def position_of(reading: Reading, cam: Cam) -> int:
     """Return the position shown: where the pressure angle of the rise is largest, or S grows fastest."""
-    rise = cam.diagrams.turn.rise
+    turn = cam.diagrams.turn
     mark = getattr(cam.centre, "pressure", None) or cam.diagrams.V.reading
-    row = np.abs(reading.figure(mark)[0, rise.first : rise.last + 1])
-    return rise.first + (int(np.nanargmax(row)) if np.isfinite(row).any() else rise.parts // 2)
+    row = np.abs(reading.figure(mark)[0])
+    there = [
+        k
+        for one in turn.like(turn.rise)
+        for k in range(one.first, one.last + 1)
+        if np.isfinite(row[k])
+    ]
+    return max(there, key=lambda k: row[k], default=turn.rise.first + turn.rise.parts // 2)
 
 
 def draw_scheme_ink(on: Subject, cam: Cam, names: SchemeNames) -> Drawing:

@@ -73,7 +73,7 @@ def draw_integral(
     """Integrate the acceleration diagram of a phase twice, about the poles of the order."""
     poles, letters = order.poles, order.letters
     row = _Row(turn, phase, base)
-    views = {which: f"cam {phase.name} {name}" for which, name in NAMES.items()}
+    views = {which: f"cam {phase.called} {name}" for which, name in NAMES.items()}
     draft.open(views["A"])
     first, corners, middles, accelerations = _accelerations(draft, row, views["A"])
     speeds = erect_axes(draft, views["V"], row.base, row.base.mu)

@@ -108,15 +108,8 @@ _OWN = {"lever": ("rocker",), "centres": ROCKING, "face": (FLAT_ROCKER,)}
 """Followers that have a size."""
 
 
-def flaws(cam: Said, angle: bool) -> Iterator[Flaw]:
-    """Yield what contradicts the follower; ``angle``: the stroke is written as an angle."""
-    rocks = cam.follower in ROCKING
-    if rocks and not angle:
-        yield Flaw(("cam", "stroke"), said('a rocker swings through an angle; write "20 deg"'))
-    if not rocks and angle:
-        yield Flaw(
-            ("cam", "stroke"), said('this follower moves along its guide; write a length, "28 mm"')
-        )
+def flaws(cam: Said) -> Iterator[Flaw]:
+    """Yield what contradicts the follower."""
     for name, own in _OWN.items():
         given = getattr(cam, name) is not None
         if cam.follower in own and not given and name != "face":

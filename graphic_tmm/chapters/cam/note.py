@@ -92,7 +92,7 @@ class CamPage(Page[Cam]):
         yield self.says(words.RADIANS)
         yield from self.formulas(VIEWS["S"], f.radians_of)
         yield from self.formulas(CALCULATED, f.radians_of)
-        for name in dict.fromkeys((order.rise_law.name, order.return_law.name)):
+        for name in dict.fromkeys(phase.law.name for phase in diagrams.turn.phases):
             yield self.says(words.LAWS[name])
         for integral in diagrams.integrals:
             for which in ("A", "V", "S"):

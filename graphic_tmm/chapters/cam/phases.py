@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 from typing import NamedTuple
@@ -9,44 +10,68 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.cam.motion import BY_DIAGRAM, TURN, Law, Stage, drawn_laws, levels
 from graphic_tmm.chapters.cam.refusals import (
     SLACK,
-    TURN,
     WHOLE,
     Changed,
     balanced,
     jumps,
+    keys_of_law,
     moved,
     plain,
     refuse,
 )
-from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CamTask, Law, drawn_laws
+from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
 
 
 class Phase(NamedTuple):
-    """A moving phase: where it begins and how long it is (degrees), its law, its positions first … last.
+    """A moving phase: its number among those of the turn, dwells counted; where it begins (degrees).
 
+    ``motion``: what is asked of it, ``law``: its law as drawn; ``first`` and ``last`` of its positions.
     ``breaks``: the positions inside it at which its stretches meet, where the acceleration jumps or has a
     corner. ``changed``: how the diagram of its law was changed for that, and so that its areas are equal.
+    ``ends``: how high the follower stands before and behind it (m, or rad). ``lone``: there is one rise only.
     """
 
-    name: str
-    sign: int
+    number: int
     start: float
-    extent: float
+    motion: Stage
     law: Law
     first: int
     last: int
     breaks: tuple[int, ...] = ()
     changed: Changed = Changed()
+    ends: tuple[float, float] = (0.0, 0.0)
+    lone: bool = True
 
     @property
-    def number(self) -> int:
-        """Which of the four phases of the turn it is, the dwells counted: 1 or 3."""
-        return 1 if self.sign > 0 else 3
+    def sign(self) -> int:
+        """1 of a rise, −1 of a return."""
+        return self.motion.sign
+
+    @property
+    def extent(self) -> float:
+        """How long it is, degrees."""
+        return self.motion.angle
+
+    @property
+    def name(self) -> str:
+        """Whether it is a rise or a return."""
+        return "rise" if self.sign > 0 else "return"
+
+    @property
+    def called(self) -> str:
+        """What its views and results are called by."""
+        return self.name if self.lone else str(self.number)
+
+    @property
+    def low(self) -> float:
+        """How high the follower stands in its lower place (m, or rad)."""
+        return min(self.ends)
 
     @property
     def parts(self) -> int:
@@ -60,11 +85,10 @@ class Phase(NamedTuple):
 
 
 class Turn(NamedTuple):
-    """The positions of a turn, their angles (degrees, from the beginning of the rise), the phases."""
+    """The positions of a turn, their angles (degrees, from its beginning), the moving phases."""
 
     angles: tuple[float, ...]
-    rise: Phase
-    fall: Phase
+    phases: tuple[Phase, ...]
 
     @property
     def positions(self) -> int:
@@ -72,9 +96,33 @@ class Turn(NamedTuple):
         return len(self.angles)
 
     @property
-    def phases(self) -> tuple[Phase, Phase]:
-        """Rise and return."""
+    def rise(self) -> Phase:
+        """The first rise."""
+        return next(phase for phase in self.phases if phase.sign > 0)
+
+    @property
+    def fall(self) -> Phase:
+        """The first return."""
+        return next(phase for phase in self.phases if phase.sign < 0)
+
+    @property
+    def ways(self) -> tuple[Phase, Phase]:
+        """The first rise and the first return: the limits of either are those of all its kind."""
         return (self.rise, self.fall)
+
+    def like(self, phase: Phase) -> Iterator[Phase]:
+        """Yield all rises, or all returns."""
+        return (one for one in self.phases if one.sign == phase.sign)
+
+    def rest(self, phase: Phase) -> float:
+        """How long the follower rests behind a phase, degrees."""
+        after = self.phases[(self.phases.index(phase) + 1) % len(self.phases)]
+        return (after.start - phase.start - phase.extent) % TURN
+
+    @property
+    def lowest(self) -> Phase:
+        """The return behind which the follower rests longest in its lowest place."""
+        return max((one for one in self.phases if one.ends[1] == 0.0), key=self.rest)
 
     def over(self, stretch: tuple[int, int], values: Reals) -> Reals:
         """Return values of the positions of a stretch as a row (1, position), NaN elsewhere."""
@@ -97,17 +145,18 @@ def divide(order: CamTask) -> Turn:
         If what is asked of the cam makes no sense; it says what to change.
     """
     refuse(order)
-    first, second = (
-        _division(order, *row)
-        for row in (("rise", order.rise, order.rise_law), ("return", order.fall, order.return_law))
-    )
-    top = order.rise + order.upper_dwell
-    at = first.parts + (1 if order.upper_dwell > SLACK else 0)
-    rise = _phase("rise", 1, 0.0, order.rise, 0, first)
-    fall = _phase("return", -1, top, order.fall, at, second)
-    there = [order.rise * k / first.parts for k in range(first.parts + 1)]
-    back = [top + order.fall * k / second.parts for k in range(second.parts + 1)]
-    return Turn((*there, *(back if at > first.parts else back[1:])), rise, fall)
+    phases, angles, start = list[Phase](), list[float](), 0.0
+    rows = zip(order.stages, pairwise(levels(order.stages)), strict=True)
+    for k, (motion, ends) in enumerate(rows, 1):
+        if motion.sign:
+            division = _division(order, motion)
+            parts, angle = division.parts, motion.angle
+            shared = bool(angles) and abs(angles[-1] - start) <= SLACK
+            made = _phase(k, start, motion, len(angles) - shared, division)
+            phases.append(made._replace(ends=ends, lone=not order.phases))
+            angles += [start + angle * i / parts for i in range(parts + 1)][shared:]
+        start += motion.angle
+    return Turn(tuple(angles), tuple(phases))
 
 
 class _Division(NamedTuple):
@@ -119,9 +168,7 @@ class _Division(NamedTuple):
     moved: tuple[tuple[float, float], ...] = ()
 
 
-def _phase(
-    name: str, sign: int, start: float, extent: float, first: int, division: _Division
-) -> Phase:
+def _phase(number: int, start: float, motion: Stage, first: int, division: _Division) -> Phase:
     parts, shares, law, told = division
     breaks = tuple(first + round(share * parts) for share in shares)
     factor = 1.0
@@ -129,16 +176,17 @@ def _phase(
         points, factor = balanced(law.points)
         law = replace(law, points=points)
     changed = Changed(factor, told)
-    return Phase(name, sign, start, extent, law, first, first + parts, breaks, changed)
+    return Phase(number, start, motion, law, first, first + parts, breaks, changed)
 
 
-def _division(order: CamTask, name: str, extent: float, law: Law) -> _Division:
+def _division(order: CamTask, motion: Stage) -> _Division:
     """Divide a phase: at every jump of the acceleration there stands a position.
 
     Where the corners of an acceleration diagram can have positions too, with one between any two, they have.
     Where not even its jumps can, they are moved, as far as a ruler leaves them open.
     """
-    law = replace(law, points=plain(law.points))
+    assert motion.law is not None
+    law, extent = replace(motion.law, points=plain(motion.law.points)), motion.angle
     wanted = order.divisions
     if order.per_turn is not None:
         wanted = max(int(bound_of(CamTask, "parts").least), round(order.per_turn * extent / TURN))
@@ -162,8 +210,8 @@ def _division(order: CamTask, name: str, extent: float, law: Law) -> _Division:
             wanted=wanted,
             most=4 * wanted,
         ),
-        "cam.law_points" if name == "rise" else "cam.return_points",
-        head=f"cam, {name}",
+        f"cam.{keys_of_law(order, motion)[1]}",
+        head=f"cam, {'rise' if motion.sign > 0 else 'return'}",
     )
 
 

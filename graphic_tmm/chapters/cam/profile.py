@@ -193,16 +193,21 @@ def draw_contour(
     turn, (points, normals) = diagrams.turn, on
     curves = []
     for pace, (phase, first, last) in zip(paces, diagrams.stretches, strict=True):
-        step = diagrams.steps[0 if phase is turn.rise else 1]
+        step = diagrams.steps[turn.phases.index(phase)]
         letter = f"({points.letter}–{points.letter})"
         uses = (points, normals, pace, step)
         curves.append(draft.draw(swept_profile, letter, *uses, first=first, last=last, sense=sense))
-    circles = []
-    for at in (turn.rise.last, turn.fall.last):
-        end = draft.draw(phase_end, f"{points.letter}_e", points, at=at, free=True)
+    order, levels = list(curves), dict[float, Mark]()
+    most = max(max(phase.ends) for phase in turn.phases)
+    for phase in turn.phases:
+        high = phase.ends[1]
+        if not (turn.rest(phase) or high in (0.0, most)):
+            continue
+        end = draft.draw(phase_end, f"{points.letter}_e", points, at=phase.last, free=True)
         far = draft.draw(measure, f"O{end.name}", origin, end, why=why.DWELL)
-        circles.append(draft.draw(strike, f"(O{end.name})", origin, far, why=why.DWELL))
-    rising = sum(phase is turn.rise for phase, _, _ in diagrams.stretches)
-    order = (*curves[:rising], circles[0], *curves[rising:], circles[1])
+        circle = draft.draw(strike, f"(O{end.name})", origin, far, why=why.DWELL)
+        behind = max(k for k, row in enumerate(diagrams.stretches) if row[0] is phase)
+        order.insert(order.index(curves[behind]) + 1, circle)
+        levels.setdefault(high, circle)
     draft.figure("contour", name, *order)
-    return Contour(points, tuple(curves), circles[0], circles[1], -sense)
+    return Contour(points, tuple(curves), levels[most], levels[0.0], -sense)

@@ -10,10 +10,11 @@ from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.laws import laws
+from graphic_tmm.chapters.cam.motion import BY_DIAGRAM
 from graphic_tmm.chapters.cam.phases import Phase
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam, record
 from graphic_tmm.chapters.cam.refusals import risen
-from graphic_tmm.chapters.cam.task import BY_DIAGRAM, CAM, CamTask, FlatFollower
+from graphic_tmm.chapters.cam.task import CAM, CamTask, FlatFollower
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
@@ -54,19 +55,20 @@ def record_beside(bench: Bench) -> Aside:
 
 
 def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
-    """Calculate the largest dS/dφ and d²S/dφ² of both phases by their laws: no position need stand there."""
+    """Calculate the largest dS/dφ and d²S/dφ² of every phase by their laws: no position need stand there."""
     found, diagrams = {}, cam.diagrams
     letters = (cam.order.letters["V"], cam.order.letters["A"])
     unit = "rad" if cam.order.rocks else "m"
-    for phase, extent in zip(diagrams.turn.phases, diagrams.phases, strict=True):
+    rows = zip(diagrams.turn.phases, diagrams.phases, diagrams.strokes, strict=True)
+    for phase, extent, stroke in rows:
         ops = (f.peak_velocity, f.peak_acceleration)
         for op, name, letter, factor in zip(
             ops, ("dS", "ddS"), letters, _factors(phase), strict=True
         ):
             own = draft.take(Number, f"k_{letter}", factor)
             largest = f"{letter}_{{max}}"
-            found[f"{name}_max_{phase.name}"] = draft.draw(
-                op, largest, own, diagrams.stroke, extent, unit=unit, free=True
+            found[f"{name}_max_{phase.called}"] = draft.draw(
+                op, largest, own, stroke, extent, unit=unit, free=True
             )
     return found
 
@@ -81,9 +83,9 @@ def _factors(phase: Phase) -> tuple[float, float]:
 
 def _dwells(draft: Draft, order: CamTask) -> dict[int, Mark]:
     dwells = {}
-    for number, angle in ((2, order.upper_dwell), (4, order.lower_dwell)):
-        if angle:
-            extent = draft.take(Angle, f"φ_{number}", angle, "°")
+    for number, stage in enumerate(order.stages, 1):
+        if stage.dwell:
+            extent = draft.take(Angle, f"φ_{number}", stage.dwell, "°")
             dwells[number] = draft.draw(f.radians_of, f"Φ_{number}", extent, unit="rad")
     return dwells
 
@@ -98,7 +100,7 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
     found = {}
     limits = (order.pressure, order.pressure_return or order.pressure)
     letters = ("[α]", "[α]" if limits[0] == limits[1] else "[α_f]")
-    rows = zip(letters, limits, cam.pressure.extremes, cam.diagrams.turn.phases, strict=True)
+    rows = zip(letters, limits, cam.pressure.extremes, cam.diagrams.turn.ways, strict=True)
     for letter, limit, extreme, phase in rows:
         allowed = draft.take(Angle, letter, limit, "°")
         found[f"left_{phase.name}"] = draft.draw(

@@ -10,14 +10,15 @@ import numpy as np
 
 from graphic_tmm.board.bounds import POSITIVE, TaskError
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
-from graphic_tmm.chapters.cam.task import (
+from graphic_tmm.chapters.cam.motion import (
     BY_DIAGRAM,
-    CamTask,
-    FlatFollower,
+    TURN,
     Law,
-    RockerFollower,
+    Stage,
     names,
+    refuse_phases,
 )
+from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, RockerFollower
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -116,8 +117,11 @@ def moved(points: Points, parts: int, base: float) -> tuple[Points, list[float]]
     )
 
 
-TURN = 360.0
-"""A turn, degrees."""
+def keys_of_law(order: CamTask, motion: Stage) -> tuple[str, str]:
+    """Return the keys of a scene that tell the law of a phase, and its points."""
+    if order.phases:
+        return "phase", "phase"
+    return ("law", "law_points") if motion.sign > 0 else ("return_law", "return_points")
 
 
 def refuse(order: CamTask) -> None:
@@ -128,6 +132,18 @@ def refuse(order: CamTask) -> None:
     StructureError
         Which says what to change, and by which key of a scene.
     """
+    if order.phases:
+        refuse_phases(order.phases)
+    else:
+        _refuse_turn(order)
+    _refuse_sizes(order)
+    for motion in order.stages:
+        if motion.law is not None:
+            _refuse_law(keys_of_law(order, motion), motion.law, WHOLE * motion.angle / TURN)
+
+
+def _refuse_turn(order: CamTask) -> None:
+    """Refuse phases of the usual cam that do not make a turn."""
     phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
     told = " + ".join(f"{angle:g}" for angle in phases)
     moving = sum(phases[:3])
@@ -147,12 +163,6 @@ def refuse(order: CamTask) -> None:
         )
         raise TaskError("cam", "rise", says)
     _bounded("lower_dwell", order.lower_dwell)
-    _refuse_sizes(order)
-    for key, law, extent in (
-        ("law", order.rise_law, order.rise),
-        ("return_law", order.return_law, order.fall),
-    ):
-        _refuse_law(key, law, WHOLE * extent / TURN)
 
 
 def _bounded(key: str, value: object) -> None:
@@ -204,20 +214,20 @@ def _refuse_choices(order: CamTask) -> None:
         )
 
 
-def _refuse_law(key: str, law: Law, base: float) -> None:
-    """Refuse a law that is none; ``base``: how long its phase is on paper, mm."""
+def _refuse_law(keys: tuple[str, str], law: Law, base: float) -> None:
+    """Refuse a law that is none; ``keys`` as `keys_of_law`; ``base``: how long its phase is on paper, mm."""
     if law.name not in names():
         raise TaskError(
             "cam",
-            key,
+            keys[0],
             said('no law "{name}": take one of {listed}', name=law.name, listed=", ".join(names())),
         )
     if law.name != BY_DIAGRAM:
         if law.points:
-            raise TaskError("cam", key, said('points belong to the law "diagram" only'))
+            raise TaskError("cam", keys[0], said('points belong to the law "diagram" only'))
         return
     if says := _fault_of(law, base):
-        raise TaskError("cam", {"law": "law_points", "return_law": "return_points"}[key], says)
+        raise TaskError("cam", keys[1], says)
 
 
 def _fault_of(law: Law, base: float) -> str:

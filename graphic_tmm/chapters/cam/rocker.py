@@ -103,7 +103,11 @@ def draw_rocker_centre(
     limits, ends, angles = _limits(
         draft, order, (points, paths, circle, pivot, begin), alike, sense
     )
-    rows = [(a, p.stretches) for a, p in zip(angles, diagrams.turn.phases, strict=True)]
+    turn = diagrams.turn
+    rows = [
+        (angle, [ends for one in turn.like(way) for ends in one.stretches])
+        for angle, way in zip(angles, turn.ways, strict=True)
+    ]
     highest, chart = draw_limit_diagram(draft, diagrams, rows)
     draft.open(VIEW)
     bound = draft.draw(slew, "(O_{min})", pivot, begin, highest, sense=-rocks)

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from pkgutil import resolve_name
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from graphic_tmm.board.bounds import POSITIVE, Bound
+from graphic_tmm.board.bounds import Bound
 from graphic_tmm.chapters.cam.kinds import (
     KEYS,
     ROCKING,
@@ -20,13 +18,27 @@ from graphic_tmm.chapters.cam.kinds import (
 )
 from graphic_tmm.chapters.cam.kinds import FlatFollower as FlatFollower
 from graphic_tmm.chapters.cam.kinds import RockerFollower as RockerFollower
+from graphic_tmm.chapters.cam.motion import (
+    AS_GIVEN,
+    BY_DIAGRAM,
+    DWELL,
+    LAW,
+    MIRRORED,
+    MOVING,
+    POINTS,
+    RETURN,
+    STROKE,
+    Law,
+    Stage,
+    is_angle_scale,
+    levels,
+    stroke_faults,
+)
 from graphic_tmm.language.said import said
-from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
-from graphic_tmm.scene.misfits import fault_in_list, stands
+from graphic_tmm.scene.declare import Flaw, Names, Said, Section, combined_key, key, keys_of
+from graphic_tmm.scene.tables import DeclaredTable, Several
 from graphic_tmm.scene.tasks import SectionKey
-from graphic_tmm.scene.units import Dimension
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -37,57 +49,6 @@ GRAPHS = "cam graphs"
 """The size of a cam's diagrams; that of its other views is called as the chapter is."""
 
 
-BY_DIAGRAM = "diagram"
-"""The law that is given by points of its acceleration diagram."""
-RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"
-"""The key that tells how the diagram of the return is meant: the rise run backwards, or by the sign of S″."""
-
-
-def drawn_laws() -> dict[str, Any]:
-    """Return the laws that have a file among ``laws``, by name: they stand above what is asked of a cam."""
-    found: dict[str, Any] = resolve_name("graphic_tmm.chapters.cam.laws:laws")()
-    return found
-
-
-def names() -> tuple[str, ...]:
-    """Return the laws of motion."""
-    return (*drawn_laws(), BY_DIAGRAM)
-
-
-@dataclass(frozen=True)
-class Law:
-    """How the follower moves over one phase: one of `names`.
-
-    ``points`` of the law "diagram": (share of the phase, acceleration), in the order of time, joined by
-    straight lines; the acceleration is positive while the follower speeds up, on the return too, in any unit,
-    for its scale follows from the stroke. Points with one share make a jump, from the first to the last.
-    """
-
-    name: str
-    points: tuple[tuple[float, float], ...] = ()
-
-
-def _stroke(value: object, names: Names) -> float:
-    """Return a stroke in m, or in rad for a rocking follower."""
-    if is_angle(value):
-        return math.radians(quantities.parse(value, "angle"))
-    return quantities.parse(value, "length")
-
-
-def is_angle(value: object, dimension: Dimension = "angle") -> bool:
-    """Whether a stroke, or a scale factor, is written as one of angles."""
-    try:
-        quantities.parse(value, dimension)
-    except ValueError:
-        return False
-    return isinstance(value, str)
-
-
-def is_angle_scale(value: object) -> bool:
-    """Whether a scale factor is written as one of angles."""
-    return is_angle(value, "scale of angles")
-
-
 _UNITS = {
     True: {"unit": "rad/mm", "example": "0.01 rad/mm"},
     False: {"unit": "m/mm", "example": "0.001 m/mm"},
@@ -95,31 +56,27 @@ _UNITS = {
 """How scale factors of a rocker's diagrams, and of others, are written."""
 
 
-def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
-    if not isinstance(value, list) or len(value) < 2:
-        raise ValueError(
-            stands(value, said("write points of the acceleration, [[0, 0], [0.25, 1], ...]"))
-        )
-    found = []
-    for item in value:
-        plain = isinstance(item, list) and len(item) == 2
-        if not plain or not all(
-            isinstance(x, (int, float)) and not isinstance(x, bool) for x in item
-        ):
-            raise ValueError(
-                fault_in_list(item, said("a point is a share of the phase and a number, [0.25, 1]"))
-            )
-        found.append((float(item[0]), float(item[1])))
-    return tuple(found)
-
-
 def _rest(said: Said) -> float:
-    moving = said.rise + said.upper_dwell + said.fall
+    moving = (said.rise or 0.0) + said.upper_dwell + (said.fall or 0.0)
     return float(said.lower_dwell if said.lower_dwell is not None else 360.0 - moving)
 
 
 def _rise_law(said: Said) -> Law:
     return Law(said.law, (said.law_points or ()) if said.law == BY_DIAGRAM else ())
+
+
+def _phases(said: Said) -> tuple[Stage, ...]:
+    """Return the phases, with what the cam says where they say nothing."""
+    usual = {"stroke": said.stroke, "law": _rise_law(said)}
+    return tuple(
+        replace(one, **{k: getattr(one, k) or own for k, own in usual.items() if one.sign})
+        for one in said.phase
+    )
+
+
+def _stroke(said: Said) -> float:
+    """Return how far the highest place of the follower is above the lowest."""
+    return max(levels(_phases(said))) if said.phase else float(said.stroke)
 
 
 def _return_law(said: Said) -> Law:
@@ -146,13 +103,8 @@ def _scale(value: object, names: Names) -> float:
 
 MU_ANGLE = v.mu("scale of angles")
 _MU = replace(v.MU_L, read=_scale, unit="scale of lengths, or of angles")
-_STROKE = Kind(_stroke, v.SCALE, POSITIVE, "length, or angle")
-_POINTS = Kind(_points, {"type": "array"})
-_MOVING = v.number(Bound(0, 360, above=True, below=True), "angle")
-_DWELL = v.number(Bound(0, 360, below=True), "angle")
 _LIMIT = v.number(Bound(0, 90, above=True, below=True), "angle")
 _SHARE = v.number(v.SHARE)
-_LAW = v.choice_of(names)
 
 
 @dataclass(frozen=True)
@@ -161,7 +113,8 @@ class CamTask:
 
     Angles in degrees; other quantities in SI, drawn lengths in mm.
 
-    ``stroke`` h: m, or rad for a rocking roller. The four phases sum to 360°. ``pressure``: the largest
+    ``stroke`` h: m, or rad for a rocking roller. The four phases sum to 360°; ``phases`` stand instead
+    of them (and their laws) where there are several lifts. ``pressure``: the largest
     pressure angle allowed towards the side of the rise, ``pressure_return`` towards that of the return (the
     same if None); 90° less the least transmission angle. ``r0``: the least radius of the theoretical profile
     (m), ``roller``: the radius of the roller (m); None: the least, and the largest, allowed in whole
@@ -174,25 +127,32 @@ class CamTask:
     sets neither of ``per_turn``, ``mu_S``, ``poles``.)
     """
 
-    stroke: float = key(_STROKE, "the stroke of the follower; an angle for a rocker", "28 mm")
-    rise: float = key(_MOVING, "the angle of the rise", "100 deg")
+    stroke: float = combined_key(
+        _stroke,
+        stroke=key(STROKE, "the stroke of the follower; an angle for a rocker", "28 mm", None),
+    )
+    rise: float = combined_key(
+        lambda said: said.rise or 0.0, rise=key(MOVING, "the angle of the rise", "100 deg", None)
+    )
     upper_dwell: float = combined_key(
         lambda said: said.upper_dwell,
-        upper_dwell=key(_DWELL, "the angle of the upper dwell", "20 deg", 0.0),
+        upper_dwell=key(DWELL, "the angle of the upper dwell", "20 deg", 0.0),
     )
-    fall: float = key(_MOVING, "the angle of the return", "90 deg")
+    fall: float = combined_key(
+        lambda said: said.fall or 0.0, fall=key(MOVING, "the angle of the return", "90 deg", None)
+    )
     lower_dwell: float = combined_key(
         _rest,
         lower_dwell=key(
-            _DWELL, "the angle of the lower dwell; the rest of the turn", "150 deg", None
+            DWELL, "the angle of the lower dwell; the rest of the turn", "150 deg", None
         ),
     )
     rise_law: Law = combined_key(
         _rise_law,
         Law("sine"),
-        law=key(_LAW, "the law of motion of the rise", "sine", "sine"),
+        law=key(LAW, "the law of motion of the rise", "sine", "sine"),
         law_points=key(
-            _POINTS,
+            POINTS,
             "points of the acceleration diagram of the rise, for the law diagram: share of the phase, "
             "acceleration, positive while the follower speeds up",
             [[0, 0], [0.25, 1]],
@@ -202,9 +162,9 @@ class CamTask:
     return_law: Law = combined_key(
         _return_law,
         Law("sine"),
-        return_law=key(_LAW, "the law of the return, if it is another", "3-4-5", None),
+        return_law=key(LAW, "the law of the return, if it is another", "3-4-5", None),
         return_points=key(
-            _POINTS,
+            POINTS,
             "points of the acceleration diagram of the return, positive while it speeds up",
             [[0, 0], [0.25, 1]],
             None,
@@ -218,6 +178,15 @@ class CamTask:
                 None,
             )
         },
+    )
+    phases: tuple[Stage, ...] = combined_key(
+        _phases,
+        (),
+        phase=key(
+            Several(DeclaredTable(Stage)),
+            "several lifts and dwells in one turn, in order, instead of rise, upper_dwell, fall, lower_dwell",
+            default=(),
+        ),
     )
     follower: Follower = combined_key(follower_of, RollerFollower(), **KEYS)
     turns: str = key(v.TURNS, "which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
@@ -264,6 +233,16 @@ class CamTask:
         return isinstance(self.follower, RockerFollower | FlatRockerFollower)
 
     @property
+    def stages(self) -> tuple[Stage, ...]:
+        """The phases of the turn in order; of the usual cam four, dwells that are none among them."""
+        return self.phases or (
+            Stage(rise=self.rise, stroke=self.stroke, law=self.rise_law),
+            Stage(dwell=self.upper_dwell),
+            Stage(fall=self.fall, stroke=self.stroke, law=self.return_law),
+            Stage(dwell=self.lower_dwell),
+        )
+
+    @property
     def letters(self) -> dict[str, str]:
         """The letters of the follower's displacement and its derivatives: S, or ψ where it rocks."""
         letter = "ψ" if self.rocks else "S"
@@ -275,17 +254,14 @@ ASKED: SectionKey[CamTask] = SectionKey("cam")
 
 def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section."""
-    rocks = cam.follower in ROCKING
-    yield from flaws(cam, is_angle(parts.doc["cam"]["stroke"]))
+    rocks, told = cam.follower in ROCKING, parts.doc["cam"]
+    yield from stroke_faults(cam, told, rocks, keys_of(CamTask))
+    yield from flaws(cam)
     if cam.pressure is not None and cam.transmission is not None:
         says = said("pressure says the same; leave one of them out")
         yield Flaw(("cam", "transmission"), says)
     for name in ("mu_dS", "mu_ddS"):
-        if (
-            name in parts.doc["cam"]
-            and isinstance(parts.doc["cam"][name], str)
-            and rocks != is_angle_scale(parts.doc["cam"][name])
-        ):
+        if name in told and isinstance(told[name], str) and rocks != is_angle_scale(told[name]):
             says = said(
                 'it is told in {unit} here: write, for example, "{example}"', **_UNITS[rocks]
             )

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import accumulate, pairwise
 
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower, RollerFollower
+from graphic_tmm.chapters.cam.motion import levels
 from graphic_tmm.chapters.cam.task import (
     ASKED,
     CamTask,
@@ -39,11 +40,13 @@ def given(scene: Scene) -> Iterator[Given]:
     if order is None:
         return
     rocks = order.rocks
-    yield (Given("β", math.degrees(order.stroke), "°") if rocks else Given("h", order.stroke, SIZE))
-    phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
-    for number, angle in enumerate(phases, 1):
-        if angle:
-            yield Given(f"φ_{number}", angle, "°")
+    if not order.phases:
+        yield _stroke("", order.stroke, rocks)
+    for number, stage in enumerate(order.stages, 1):
+        if stage.angle:
+            yield Given(f"φ_{number}", stage.angle, "°")
+        if stage.sign and order.phases:
+            yield _stroke(f"_{number}", stage.stroke or 0.0, rocks)
     if order.speed is not None:
         yield given_speed("1", order.speed)
     yield from _laws(order)
@@ -52,6 +55,12 @@ def given(scene: Scene) -> Iterator[Given]:
         yield Given("[α]", order.pressure, "°")
         if order.pressure_return is not None and order.pressure_return != order.pressure:
             yield Given("[α_f]", order.pressure_return, "°")
+
+
+def _stroke(number: str, stroke: float, rocks: bool) -> Given:
+    if rocks:
+        return Given(f"β{number}", math.degrees(stroke), "°")
+    return Given(f"h{number}", stroke, SIZE)
 
 
 def stated(scene: Scene, language: str) -> Iterator[str]:
@@ -79,12 +88,13 @@ _FLAT_ROCKER = said("The follower is a lever with a flat face.")
 
 
 def _laws(order: CamTask) -> Iterator[Given]:
-    laws = (order.rise_law.name, order.return_law.name)
-    if laws[0] == laws[1]:
-        yield Given("given law", f"law {laws[0]}")
-    else:
-        yield Given("given law of the rise", f"law {laws[0]}")
-        yield Given("given law of the return", f"law {laws[1]}")
+    laws = {k: one.law.name for k, one in enumerate(order.stages, 1) if one.law is not None}
+    if len(set(laws.values())) == 1:
+        yield Given("given law", f"law {laws[min(laws)]}")
+        return
+    for k, name in laws.items():
+        of = k if order.phases else f"of the {'rise' if k == 1 else 'return'}"
+        yield Given(f"given law {of}", f"law {name}")
 
 
 def _follower(order: CamTask) -> Iterator[Given]:
@@ -143,14 +153,13 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
 
 def _ends(order: CamTask, wide: float) -> list[float]:
     """Return where the phases begin and end, mm."""
-    phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
-    return [0.0, *(wide * angle / TURN for angle in accumulate(phases))]
+    return [0.0, *(wide * angle / TURN for angle in accumulate(one.angle for one in order.stages))]
 
 
 def _lines(order: CamTask, wide: float) -> Iterator[Ink]:
     """Yield the follower at rest above and below, and a bow of no law between."""
-    levels = (0.0, HIGH, HIGH, 0.0, 0.0)
-    spots = [complex(x, y) for x, y in zip(_ends(order, wide), levels, strict=True)]
+    places = [HIGH * high / order.stroke for high in levels(order.stages)]
+    spots = [complex(x, y) for x, y in zip(_ends(order, wide), places, strict=True)]
     for start, end in pairwise(spots):
         if start.imag == end.imag:
             if start != end:
@@ -191,12 +200,16 @@ def listed(scene: Scene, language: str) -> Iterator[Listed]:
     if order is None:
         return
     _ = speaking(language)
-    laws = {"rise": (order.rise_law, _RISE), "return": (order.return_law, _RETURN)}
-    for name, (law, title) in laws.items():
-        if law.points and (name == "rise" or law.points != order.rise_law.points):
-            heads = ("φ/φ_{0}", *(given_figure(share, language) for share, _ in law.points))
-            row = ("a", *(given_figure(size, language) for _, size in law.points))
-            yield Listed(f"law-{name}", _(title), heads, (row,))
+    seen = set[object]()
+    for k, stage in enumerate(order.stages, 1):
+        if stage.law is None or not stage.law.points or stage.law.points in seen:
+            continue
+        seen.add(stage.law.points)
+        name = str(k) if order.phases else "rise" if stage.sign > 0 else "return"
+        title = _(_PHASE, k=k) if order.phases else _(_RISE if stage.sign > 0 else _RETURN)
+        heads = ("φ/φ_{0}", *(given_figure(share, language) for share, _ in stage.law.points))
+        row = ("a", *(given_figure(size, language) for _, size in stage.law.points))
+        yield Listed(f"law-{name}", title, heads, (row,))
 
 
 _DIAGRAMS = said(
@@ -214,6 +227,7 @@ _PROFILE = said(
 )
 _POINTED = said("The profile of the cam is drawn.")
 _FACE = said("The profile of the cam and the width of the face are drawn.")
+_PHASE = said("Acceleration of the follower by shares of phase {k} (in proportion)")
 _RISE = said("Acceleration of the follower by shares of the rise (in proportion)")
 _RETURN = said("Acceleration of the follower by shares of the return (in proportion)")
 

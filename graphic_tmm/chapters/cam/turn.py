@@ -65,8 +65,9 @@ def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagr
     curves = _curves(draft, diagrams, [spots] * len(diagrams.stretches))
     _outline(draft, diagrams, axes, [spots] * len(curves), spots)
     extremes = []
-    for phase in diagrams.turn.phases:
-        own = [c for c, row in zip(curves, diagrams.stretches, strict=True) if row[0] is phase]
+    for phase in diagrams.turn.ways:
+        rows = zip(curves, diagrams.stretches, strict=True)
+        own = [curve for curve, (of, _, _) in rows if of.sign == phase.sign]
         point, y, angle = _extreme(draft, axes, own, phase.sign)
         name = "α_{max}" if phase.sign > 0 else "α_{min}"
         value = draft.draw(f.off_protractor, name, y, unit="°")
@@ -164,7 +165,7 @@ def _level(draft: Draft, diagrams: Diagrams, axes: Axes, high: Mark) -> Mark:
     """Lay off the ordinates of the dwells over their ends; ``high``: of all positions (Length)."""
     turn = diagrams.turn
     ends = np.full((1, turn.positions), np.nan)
-    for at in (0, turn.rise.last, turn.fall.first, turn.fall.last):
+    for at in (at for phase in turn.phases for at in (phase.first, phase.last)):
         ends[0, at] = turn.angles[at]
     angles = draft.take(Angle, "φ_d", ends, "°")
     x = draft.draw(f.along_turn, "x_d", angles, axes.base.length)
@@ -186,12 +187,14 @@ def _outline(
     for (spots, (_, _, last)), (after, (_, first, _)) in pairwise(zip(points, rows, strict=True)):
         dwell = [end(level, at) for at in (last, first)] if first > last else []
         draft.figure("outline", "between", end(spots, last), *dwell, end(after, first))
-    low = end(level, turn.fall.last)
+    last = turn.phases[-1].last
+    low = end(level, last)
     across = draft.draw(parallel, "(d)", low, axes.along)
     over = draft.draw(square, f"({axes.end.name})", axes.end, axes.along, sense=1)
     far = draft.draw(meet, "d_N", over, across, free=True)
-    draft.figure("outline", "lower dwell", end(points[-1], turn.fall.last), low, far)
-    draft.figure("outline", "start", end(level, 0), end(points[0], 0))
+    draft.figure("outline", "lower dwell", end(points[-1], last), low, far)
+    begin = [draft.draw(meet, "d_0", axes.up, across)] if turn.phases[0].start > 0.0 else []
+    draft.figure("outline", "start", *begin, end(level, 0), end(points[0], 0))
 
 
 def _curves(draft: Draft, diagrams: Diagrams, points: Sequence[Mark]) -> tuple[Mark, ...]:

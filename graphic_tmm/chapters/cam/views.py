@@ -118,7 +118,7 @@ def _phases(drawn: Drawn, made: Cam) -> list[Span]:
     """Return the phases of the turn with their angles."""
     order, whole = made.order, drawn.value(made.diagrams.base.length)
     found, at = [], 0.0
-    for k, angle in enumerate((order.rise, order.upper_dwell, order.fall, order.lower_dwell), 1):
+    for k, angle in enumerate((stage.angle for stage in order.stages), 1):
         ends = (at * whole / 360.0, (at + angle) * whole / 360.0)
         if angle > 0.0:
             found.append(Span(*ends, f"φ_{{{k}}} = {number(angle, drawn.scene.language)}°"))
@@ -129,7 +129,7 @@ def _phases(drawn: Drawn, made: Cam) -> list[Span]:
 def _bounds(drawn: Drawn, made: Cam) -> list[tuple[float, str]]:
     """Return where phases end on the base, mm, and the angles of the turn there."""
     order, whole = made.order, drawn.value(made.diagrams.base.length)
-    phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
+    phases = (stage.angle for stage in order.stages)
     angles = dict.fromkeys(round(angle, 9) for angle in accumulate(phases))
     return [(angle * whole / 360.0, f"{number(angle, drawn.scene.language)}°") for angle in angles]
 

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import re
+
 from graphic_tmm.chapters.cam.task import CAM
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -90,8 +93,28 @@ SYMBOLS = (
 """Its letters in a note: what they stand for, their units."""
 
 
+_OF_PHASE = {
+    "cam # acceleration": said("Acceleration of the follower in phase {k}"),
+    "cam # velocity": said("Velocity of the follower in phase {k}"),
+    "cam # displacement": said("Displacement of the follower in phase {k}"),
+    "dS_max_#": said("largest S′, phase {k}"),
+    "ddS_max_#": said("largest S″, phase {k}"),
+    "given law #": said("Law of phase {k}"),
+}
+"""Of a cam with several lifts."""
+
+
+def of_phase(name: str, speech: Speech) -> str:
+    """Return what a view, a result or a given law is called that has the number of a phase in its name."""
+    number = re.search(r"\d+", name)
+    told = _OF_PHASE.get(name.replace(number[0], "#", 1)) if number else None
+    return speech(told, k=number[0]) if number and told else ""
+
+
 WORDS = Named(
     captions=CAPTIONS,
+    called=of_phase,
+    result=of_phase,
     plans=(CAM,),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
@@ -161,6 +184,9 @@ FACE_CONTACT = said(
 FACE_LENGTH = said("So far from its foot the face has to reach in this position.")
 DWELL = said("While the follower rests the profile is an arc about the centre of the cam.")
 PHASE_FOOT = said("The phase takes its share of the base.")
+LEVEL = said(
+    "Here the lower place of the follower is not the lowest of the turn: what follows stands on its level."
+)
 PHASE_PART = said("The phase is divided into equal parts of the angle.")
 DIAGRAM_READ = said("The ordinate of the diagram is what this law gives in this position.")
 ANGLE_AT = said("Over each place on the base stands what belongs to this angle of the cam.")

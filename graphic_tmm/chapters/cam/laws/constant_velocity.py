@@ -120,4 +120,6 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
     return _DRAWN[which](draft, ground, height)
 
 
-LAW = DrawnLaw("constant velocity", 5, _points, (PEAK, PEAK / EASED), (EASED, 1.0 - EASED))
+LAW = DrawnLaw(
+    "constant velocity", 5, _points, (PEAK, PEAK / EASED), (EASED, 1.0 - EASED), ("uniform",)
+)

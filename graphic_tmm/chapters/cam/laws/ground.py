@@ -50,7 +50,7 @@ class DrawnLaw:
     ``points``: draft, ground, the diagram ("S", "V" or "A"), the stroke on the diagram of S (Length) -> the
     points of the diagram over one phase, one mark for each stretch. ``jumps``: the shares of the phase at which
     its acceleration jumps: a stretch stands on either side of each. ``peaks``: the largest dS/dφ and d²S/dφ² in
-    size, of h/Φ and h/Φ².
+    size, of h/Φ and h/Φ². ``also``: what else scenes may call it.
     """
 
     name: str
@@ -58,6 +58,7 @@ class DrawnLaw:
     points: Callable[[Draft, Ground, str, Mark], tuple[Mark, ...]]
     peaks: tuple[float, float]
     jumps: tuple[float, ...] = ()
+    also: tuple[str, ...] = ()
 
 
 def uprights(draft: Draft, ground: Ground, stretch: int = 0, *, up: bool = True) -> Mark:

@@ -1,0 +1,220 @@
+"""What is asked of the follower's motion: the law of a phase and how far it goes; several lifts in one turn."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import accumulate
+from pkgutil import resolve_name
+from typing import Any
+
+from graphic_tmm.board.bounds import POSITIVE, Bound, TaskError
+from graphic_tmm.language.said import said
+from graphic_tmm.scene import quantities
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Flaw, Key, Kind, Names, Path, Said, combined_key, key
+from graphic_tmm.scene.misfits import fault_in_list, stands
+from graphic_tmm.scene.tables import missing_key
+from graphic_tmm.scene.units import Dimension
+
+TURN, SAME = 360.0, 1e-6
+"""A turn, degrees; angles (degrees), and strokes by a share of themselves, that differ by less are the same."""
+BY_DIAGRAM = "diagram"
+"""The law that is given by points of its acceleration diagram."""
+
+
+RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"
+"""The key that tells how the diagram of the return is meant: the rise run backwards, or by the sign of S″."""
+USUAL = ("rise", "upper_dwell", "fall", "lower_dwell", "return_law", "return_points", RETURN)
+"""Keys of a cam with one lift."""
+
+
+def drawn_laws() -> dict[str, Any]:
+    """Return the laws that have a file among ``laws``, by name: they stand above what is asked of a cam."""
+    found: dict[str, Any] = resolve_name("graphic_tmm.chapters.cam.laws:laws")()
+    return found
+
+
+def names() -> tuple[str, ...]:
+    """Return the laws of motion."""
+    return (*drawn_laws(), BY_DIAGRAM)
+
+
+def _words() -> dict[str, str]:
+    """Return what a law may be called in a scene, and its name."""
+    others = {word: law.name for law in drawn_laws().values() for word in law.also}
+    return {name: name for name in names()} | others
+
+
+@dataclass(frozen=True)
+class Law:
+    """How the follower moves over one phase: one of `names`.
+
+    ``points`` of the law "diagram": (share of the phase, acceleration), in the order of time, joined by
+    straight lines; the acceleration is positive while the follower speeds up, on the return too, in any unit,
+    for its scale follows from the stroke. Points with one share make a jump, from the first to the last.
+    """
+
+    name: str
+    points: tuple[tuple[float, float], ...] = ()
+
+
+def _stroke(value: object, names: Names) -> float:
+    """Return a stroke in m, or in rad for a rocking follower."""
+    if is_angle(value):
+        return math.radians(quantities.parse(value, "angle"))
+    return quantities.parse(value, "length")
+
+
+def is_angle(value: object, dimension: Dimension = "angle") -> bool:
+    """Whether a stroke, or a scale factor, is written as one of angles."""
+    try:
+        quantities.parse(value, dimension)
+    except ValueError:
+        return False
+    return isinstance(value, str)
+
+
+def is_angle_scale(value: object) -> bool:
+    """Whether a scale factor is written as one of angles."""
+    return is_angle(value, "scale of angles")
+
+
+def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
+    if not isinstance(value, list) or len(value) < 2:
+        raise ValueError(
+            stands(value, said("write points of the acceleration, [[0, 0], [0.25, 1], ...]"))
+        )
+    found = []
+    for item in value:
+        plain = isinstance(item, list) and len(item) == 2
+        if not plain or not all(
+            isinstance(x, (int, float)) and not isinstance(x, bool) for x in item
+        ):
+            raise ValueError(
+                fault_in_list(item, said("a point is a share of the phase and a number, [0.25, 1]"))
+            )
+        found.append((float(item[0]), float(item[1])))
+    return tuple(found)
+
+
+STROKE = Kind(_stroke, v.SCALE, POSITIVE, "length, or angle")
+POINTS = Kind(_points, {"type": "array"})
+MOVING = v.number(Bound(0, 360, above=True, below=True), "angle")
+DWELL = v.number(Bound(0, 360, below=True), "angle")
+LAW = v.choice_of(_words)
+"""Values of the keys of a cam."""
+
+
+def _own_law(said: Said) -> Law | None:
+    name = said.law or (BY_DIAGRAM if said.law_points else None)
+    return None if name is None else Law(name, said.law_points or ())
+
+
+@dataclass(frozen=True)
+class Stage:
+    """A phase of a cam with several lifts in a turn: a rise, a dwell or a fall (angles in degrees).
+
+    ``stroke``: how far the follower rises or falls (m, or rad for a rocker), and the ``law`` by which: those of
+    the cam where they are left out.
+    """
+
+    rise: float | None = key(MOVING, "the angle over which the follower rises", "60 deg", None)
+    dwell: float | None = key(MOVING, "or over which it rests", "30 deg", None)
+    fall: float | None = key(MOVING, "or over which it falls", "90 deg", None)
+    stroke: float | None = key(
+        STROKE, "how far it rises or falls, if not by the stroke of the cam", "15 mm", None
+    )
+    law: Law | None = combined_key(
+        _own_law,
+        None,
+        law=key(LAW, "the law of motion, if it is not that of the cam", "cosine", None),
+        law_points=key(POINTS, "points of its acceleration diagram", [[0, 0], [0.25, 1]], None),
+    )
+
+    @property
+    def angle(self) -> float:
+        """How long it is, degrees."""
+        return (self.rise or 0.0) + (self.dwell or 0.0) + (self.fall or 0.0)
+
+    @property
+    def sign(self) -> int:
+        """1 of a rise, 0 of a dwell, −1 of a fall."""
+        return 1 if self.rise is not None else -1 if self.fall is not None else 0
+
+    @property
+    def lift(self) -> float:
+        """How much higher the follower stands behind it."""
+        return self.sign * (self.stroke or 0.0)
+
+
+def levels(phases: Sequence[Stage]) -> list[float]:
+    """Return how high the follower stands above its lowest place before each phase, and behind the last."""
+    found = list(accumulate((one.lift for one in phases), initial=0.0))
+    return [round(high - min(found), 12) for high in found]
+
+
+def stroke_faults(
+    cam: Said, told: Mapping[str, Any], rocks: bool, keys: Mapping[str, Key]
+) -> Iterator[Flaw]:
+    """Yield what is wrong with the keys of the phases, and with strokes of the other kind of follower.
+
+    ``told``: the section as it is written; ``keys`` of it.
+    """
+    for name in USUAL if cam.phase else ("stroke", "rise", "fall"):
+        if cam.phase and name in told:
+            says = said("the phases of [[cam.phase]] tell it: leave it out")
+            yield Flaw(("cam", name), says)
+        elif not cam.phase and name not in told:
+            yield Flaw(("cam", name), missing_key(name, keys[name]))
+    strokes: dict[Path, Any] = {("cam",): told}
+    strokes |= {("cam", "phase", k): one for k, one in enumerate(told.get("phase", ()))}
+    for path, one in strokes.items():
+        if "stroke" in one and rocks != is_angle(one["stroke"]):
+            wants = (
+                said('a rocker swings through an angle; write "20 deg"')
+                if rocks
+                else said('this follower moves along its guide; write a length, "28 mm"')
+            )
+            yield Flaw((*path, "stroke"), wants)
+
+
+def refuse_phases(phases: Sequence[Stage]) -> None:
+    """Refuse phases that are none, do not make a turn, or do not come back to where they began.
+
+    Raises
+    ------
+    TaskError
+        Which says what to change.
+    """
+    for k, one in enumerate(phases, 1):
+        told = [name for name in ("rise", "dwell", "fall") if getattr(one, name) is not None]
+        for wrong, says in (
+            (len(told) != 1, said("phase {k} is one of rise, dwell, fall: write one of them", k=k)),
+            (one.sign == 0 and (one.stroke is not None or one.law is not None),
+             said("in phase {k} the follower rests: leave its stroke and its law out", k=k)),
+            (one.sign != 0 and not (one.stroke or 0.0) > 0.0,
+             said('phase {k} needs a stroke greater than 0: write, for example, stroke = "20 mm"', k=k)),
+        ):  # fmt: skip
+            if wrong:
+                raise TaskError("cam", "phase", says)
+    turn, rises, falls = (
+        sum(one.angle for one in phases),
+        *(sum(one.stroke or 0.0 for one in phases if one.sign == sign) for sign in (1, -1)),
+    )
+    if abs(turn - TURN) > SAME:
+        says = said(
+            "the phases make {sum:g}°, not 360°: {way} them by {rest:g}°",
+            sum=turn, way=said("lengthen") if turn < TURN else said("shorten"), rest=abs(TURN - turn),
+        )  # fmt: skip
+        raise TaskError("cam", "phase", says)
+    if not rises + falls:
+        raise TaskError("cam", "phase", said("the follower rises nowhere: write a phase with rise"))
+    if abs(rises - falls) > SAME * max(rises, falls):
+        says = said(
+            "over a turn the follower rises by {rises:g} and falls by {falls:g}: it has to come back to where "
+            "it began, so change a stroke by {rest:g}",
+            rises=rises, falls=falls, rest=abs(rises - falls),
+        )  # fmt: skip
+        raise TaskError("cam", "phase", says)
