@@ -82,7 +82,7 @@ def rolling(
             pin, other = mesh.centres[own], mesh.centres[1 - own]
             if not arms or on not in known or link in known:
                 continue
-            pairs = held.get(link, ())
+            pairs = held.get(link, [])
             if [pair.name for pair in pairs] != [pin]:
                 continue
             points = bodies[arms[0]].points
