@@ -45,7 +45,7 @@ class Structure(NamedTuple):
     @property
     def attached(self) -> Iterator[Group | Rolling]:
         """Groups and wheels in the order of attachment."""
-        groups = tuple(class_two(self.groups, "structure"))
+        groups = tuple(class_two(self.groups, "formula"))
         for k in range(len(groups) + 1):
             yield from (one for one in self.wheels if one.after == k)
             yield from groups[k : k + 1]

@@ -22,15 +22,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.mechanism.records import Link, Mechanism
+from support.oracle_gears import Gears, OracleError, crank_letters, gears_of
 
 Pose = tuple[float, float, float]
 Numbers = NDArray[Any]  # float64, or objects that are mpmath numbers
 Places = NDArray[np.intp]
 Turns = Mapping[int, float]  # of links by number: rad, rad/s or rad/s²
-
-
-class OracleError(Exception):
-    """The loops do not close, or closed somewhere else than the caller said."""
 
 
 class Motion(NamedTuple):
@@ -94,8 +91,7 @@ class System(NamedTuple):
     alpha: Numbers
     turn: Numbers
     rise: Numbers
-    wheels: Places
-    gears: Numbers
+    gears: Gears
 
 
 def _cos_sin(angles: Numbers) -> tuple[Numbers, Numbers]:
@@ -115,22 +111,6 @@ def _solved(matrix: Numbers, right: Numbers) -> Numbers:
         return np.array(list(found), dtype=object)
     except (np.linalg.LinAlgError, ZeroDivisionError) as error:
         raise OracleError("the position is singular") from error
-
-
-def crank_letters(mechanism: Mechanism) -> tuple[str, str]:
-    """Give the crank's fixed pivot and its driven letter; its angle is that from one to the other.
-
-    Driven is the first other letter shared with a moving link; of a crank that shares none (it only
-    carries a guide) the first other letter it has.
-    """
-    crank = mechanism.by_number[mechanism.drive.link]
-    pivots = [letter for letter in crank.points if letter in mechanism.frame.points]
-    others = [letter for letter in crank.points if letter not in mechanism.frame.points]
-    if len(pivots) != 1 or not others:
-        raise OracleError(f"link {crank.number} needs one letter of the frame and one of its own")
-    rest = [link for link in mechanism.links if link is not crank]
-    shared = [letter for letter in others if any(letter in link.points for link in rest)]
-    return pivots[0], (shared or others)[0]
 
 
 def _size(links: tuple[Link, ...]) -> float:
@@ -175,21 +155,8 @@ def system_of(mechanism: Mechanism, *, digits: bool = False) -> System:
     on = np.array([(i, place[slide.on]) for i, slide in slides], dtype=np.intp).reshape(-1, 2).T
     both, offsets = np.array(pins, dtype=np.intp).T, rise + gy * cos - gx * sin
     own, points = atan2(dy, dx), np.array([numbers(arm) for arm in arms]).T
-    meshed, shares, starts = [], [], []
-    for mesh in mechanism.meshes:
-        arm = next(
-            k
-            for k, one in enumerate(links)
-            if one.number not in mesh.links and set(mesh.centres) <= one.points.keys()
-        )
-        meshed.append((*(place[number] for number in mesh.links), arm))
-        shares.append((1.0 if mesh.internal else -1.0) * mesh.sizes[0] / mesh.sizes[1])
-        starts.append(mesh.start)
-    wheels = np.array(meshed, dtype=np.intp).reshape(-1, 3).T
-    gears = np.array([numbers(shares), numbers(starts) * (pi / 180)])
-    return System(
-        size, pi, place[crank.number], own, both, points, on, alpha, turn, offsets, wheels, gears
-    )
+    gears = gears_of(mechanism, place, numbers, pi)
+    return System(size, pi, place[crank.number], own, both, points, on, alpha, turn, offsets, gears)
 
 
 def _vectors(system: System, q: Numbers) -> tuple[Numbers, ...]:
@@ -209,11 +176,9 @@ def equations(system: System, q: Numbers, phi: Any) -> tuple[Numbers, Numbers]:
     """
     (i, k), (si, ki), (x, y, t) = system.pins, system.slides, q.T
     ax, ay, bx, by, ux, uy, dx, dy = _vectors(system, q)
-    (first, second, arm), (share, start) = system.wheels, system.gears
-    rolled = t[second] - t[arm] - share * (t[first] - t[arm]) - start
-    angles = np.concatenate(
-        [t[si] - t[ki] - system.turn, rolled, np.atleast_1d(t[system.crank] + system.own - phi)]
-    )
+    crank = np.atleast_1d(t[system.crank] + system.own - phi)
+    turned = t[si] - t[ki] - system.turn
+    angles = np.concatenate([turned, system.gears.residual(t), crank])
     full = 2 * system.pi
     angles = angles - full * np.rint(np.asarray(angles / full, dtype=float)).astype(int)
     pins = (x[i] + ax - x[k] - bx, y[i] + ay - y[k] - by)
@@ -233,10 +198,7 @@ def equations(system: System, q: Numbers, phi: Any) -> tuple[Numbers, Numbers]:
     jacobian[row, 3 * si], jacobian[row, 3 * ki] = -uy, uy
     jacobian[row, 3 * si + 1], jacobian[row, 3 * ki + 1] = ux, -ux
     jacobian[row, 3 * ki + 2] = -(ux * dx + uy * dy)
-    row = 2 * (len(i) + len(si)) + np.arange(len(first))
-    jacobian[row, 3 * second + 2] = 1
-    jacobian[row, 3 * first + 2] = -share
-    jacobian[row, 3 * arm + 2] += share - 1
+    system.gears.enter(jacobian, 2 * (len(i) + len(si)))
     jacobian[-1, 3 * system.crank + 2] = 1
     return residual, jacobian[:, 3:]
 
@@ -248,7 +210,7 @@ def quadratic(system: System, q: Numbers, dq: Numbers) -> Numbers:
     along, wk = ux * (vx[si] - vx[ki]) + uy * (vy[si] - vy[ki]), w[ki]
     pins = (w[k] * w[k] * bx - w[i] * w[i] * ax, w[k] * w[k] * by - w[i] * w[i] * ay)
     offsets = -2 * wk * along - wk * wk * (ux * dy - uy * dx)
-    rolled = 0 * w[system.wheels[0]]
+    rolled = 0 * w[system.gears.first]
     return np.concatenate([*pins, 0 * wk, offsets, rolled, 0 * w[[system.crank]]])
 
 

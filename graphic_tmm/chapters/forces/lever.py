@@ -277,7 +277,7 @@ def _base(
     for wheel in positions.wheels:
         if rate == velocities.rates[wheel.leg.link]:
             start, segment = pivot_image(velocities, wheel.leg), velocities.readings[link]
-            end = velocities.images.by_letter[link][wheel.rolling.letter]
+            end = velocities.pitches[link]
             return _Base(segment, wheel.leg.length, start, end, wheel.leg.line, sense)
     for closing, leg in legs_of(positions.closings, VIEW):
         if isinstance(leg, PinLeg) and velocities.rates.get(leg.link) == rate:

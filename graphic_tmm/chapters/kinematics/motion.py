@@ -174,7 +174,8 @@ class Motion:
     ``closed``: the image of each group's closing point, as a point of the second leg's link, by group name.
     ``ends``: of a leg of changing length, by its link, where the part begins that turns only; ``outs``: the
     segment (Length) of its rod's velocity seen from the cylinder. ``driven``: by the link of each drive, the
-    ends of the vector that is given; ``possible``: of a mechanism that stands, what could be.
+    ends of the vector that is given; ``possible``: of a mechanism that stands, what could be. ``pitches``: by
+    the link of a wheel, the image of the pitch point as a point of it.
     """
 
     images: Images
@@ -187,6 +188,7 @@ class Motion:
     ends: dict[int, Mark] = field(default_factory=dict)
     outs: dict[int, Mark] = field(default_factory=dict)
     driven: dict[int, tuple[Mark, Mark]] = field(default_factory=dict)
+    pitches: dict[int, Mark] = field(default_factory=dict)
     possible: bool = False
 
     @property
@@ -261,6 +263,7 @@ def hang_wheel(
     """Enter a wheel's link into the plan's images: by its centre's, and the pitch point's as a point of it."""
     leg, body = wheel.leg, positions.bodies[wheel.rolling.link]
     base = Base(leg.pivot, wheel.pitch, centre, image)
+    plan.pitches[leg.link] = image
     known = {leg.letter: centre, wheel.rolling.letter: image}
     plan.images.hang(body, Hanging(leg.pivot, centre, base), known)
     plan.images.complete(body)

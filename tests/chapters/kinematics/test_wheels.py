@@ -207,3 +207,26 @@ def test_a_wheel_between_links_that_stand_already_is_a_group_above_class_two() -
     assert mechanism is not None
     with pytest.raises(StructureError, match="W = 3·4 − 2·6 − 1 = −1"):
         dissect(mechanism)
+
+
+CHAIN = (
+    FiveBar(0.03, 0.19, 0.18, 0.03, 0.1, (30, 20)).scene
+    + """
+[[link]]
+number = 6
+points = { C = [0, 0], E = [0.05, 0] }
+[[mesh]]
+links = [2, 6]
+centres = ["B", "C"]
+teeth = [23, 17]
+"""
+)
+
+
+def test_a_wheel_behind_a_wheel_goes_on_without_a_leap_over_turns() -> None:
+    """Links that swing by a wheel of a broken ratio come back after no turn: their angles follow the wheel."""
+    at = np.linspace(0.0, 2000.0, 4001)
+    found = tmm.motion(CHAIN, at, exact=True)
+    way = np.unwrap(np.angle(found.places["E", 6] - found.places["C", 6]))
+    rolled = np.cumsum((found.omega[6][1:] + found.omega[6][:-1]) / 2.0) * np.radians(0.5) / 10.0
+    assert np.allclose(way[1:] - way[0], rolled, atol=1e-3)
