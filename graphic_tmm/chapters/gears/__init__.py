@@ -19,12 +19,12 @@ is there before the first one leaves (`contact`). Flanks slide on one another bu
 ϑ₁ = 1 − (r₁/r₂)·(ρ₂/ρ₁) over the distance x from N₁, where ρ₁ = x and ρ₂ = N₁N₂ − x are the radii of curvature
 (`sliding`).
 
-A helical pair is drawn in the section across its axes (`helical`). In a ring N₁ and N₂ lie on one side of P, and
-whether wheel and ring miss one another is asked there (`ring`). The distance of the axes or the sum of the shifts
-gives the shift that is missing (`shifts`). What does not work is told by checks, beside the drawing.
+A helical pair is drawn in the section across its axes (`helical`). In a ring N₁ and N₂ lie on one side of P;
+`ring` asks whether wheel and ring miss one another. The distance of the axes or the sum of the shifts gives the
+shift that is missing (`shifts`). What does not work is told by checks, beside the drawing.
 
 Beside the drawing are calculated the ratio, the arc of engagement, and how long each dimension is on the
-sheet, speeds where that of wheel 1 is given (`record`); a given length of a_w there makes the scale of the mesh.
+sheet, and speeds where that of wheel 1 is given; a given length of a_w there makes the scale of the mesh.
 
 Draws: place ``gears``: the mesh with three teeth a wheel, the rolling of a flank in a view of its own, the
 diagram of sliding, tables; on a board of its own whose positions are the steps of the rolling. Builds on no

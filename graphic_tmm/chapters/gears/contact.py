@@ -140,8 +140,8 @@ class Check:
 
     ``name``: "pointed tooth" (tip thickness against 0), "tip thickness" (against its usual limit), "undercut"
     (shift against the least one), "interference" (the lowest working radius of curvature against that at which
-    the flank begins), "clearance" (at the root), "contact ratio". Of a ring: "ring tip" (not beyond N1), "root
-    space", "tip overlap" and "assembly" (what is left between the corners). ``wheel``: 0 for the pair.
+    the flank begins), "clearance" (at the root), "contact ratio". Of a ring: "ring tip" (not beyond N1),
+    "tip overlap" and "assembly" (what is left between the corners). ``wheel``: 0 for the pair.
     """
 
     name: str
@@ -185,7 +185,6 @@ def record_checks(draft: Draft, sizes: GearSizes) -> tuple[Check, ...]:
     if (ring := sizes.ring) is not None:
         found += [
             Check("ring tip", 2, sizes.wheels[1].r_a, ring.least_tip, size),
-            Check("root space", 2, ring.space, zero, size),
             Check("tip overlap", 0, ring.overlap, zero, size),
             Check("assembly", 0, ring.assembly, zero, size),
         ]

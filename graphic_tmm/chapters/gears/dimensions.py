@@ -14,7 +14,7 @@ from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears import rack
 from graphic_tmm.chapters.gears import ring as inside
-from graphic_tmm.chapters.gears.helical import Helix, draw_helix, normal_factor
+from graphic_tmm.chapters.gears.helical import NORMAL, Helix, draw_helix
 from graphic_tmm.chapters.gears.shifts import Axes, Section, calculate_axes, letter_of
 from graphic_tmm.chapters.gears.task import GearTask
 
@@ -147,7 +147,7 @@ def calculate_sizes(draft: Draft, order: GearTask) -> GearSizes:
     helix = None if order.beta is None else draw_helix(draft, order.beta, m, alpha, ha, c)
     if helix is not None:
         drawn = Section(helix.m, helix.alpha, helix.ha, helix.c)
-    racks = _racks(draft, drawn)
+    racks = _racks(draft, drawn, order)
     axes = calculate_axes(draft, order, normal, drawn, helix)
     y = draft.draw(g.perceived_shift, "y", axes.a_w, axes.a, m)
     if order.delta_y is None:
@@ -157,18 +157,25 @@ def calculate_sizes(draft: Draft, order: GearTask) -> GearSizes:
         dy = draft.take(Number, "Δy", order.delta_y)
     p = draft.draw(g.pitch_of, letter_of(order, "p"), drawn.m, unit="m")
     p_b = draft.draw(g.times_cosine, letter_of(order, "p_{b}"), p, drawn.alpha, unit="m")
-    same = normal.ha[0] is normal.ha[1]
-    heights = _heights(draft, normal, dy, {}) if same else None
+    h = h_w = None
+    if ha[0] is ha[1]:
+        h = draft.draw(g.tooth_height, "h", m, ha[0], c, dy, unit="m")
+        h_w = draft.draw(g.working_depth, "h_{w}", m, ha[0], dy, unit="m")
     pair = _Pair(normal, drawn, axes, dy, racks, helix)
     shape = [_shape(draft, pair, k, order) for k in range(2)]
-    h, h_w = heights or _heights(draft, normal, dy, shape[0])
     value = known(draft)
     tops = [_top(one, value) for one in shape]
     limits = [_limits(draft, k, pair, shape, tops[1 - k], order.internal) for k in range(2)]
     value = known(draft)
     beyond = (value(limits[0]["lowest"]) < 0.0, value(limits[1]["lowest"]) < 0.0)
-    ring = _check_ring(draft, pair, shape, tops, beyond[0], p) if order.internal else None
+    ring = None
+    if order.internal:
+        both = (axes.a_w, axes.alpha_w)
+        ring = inside.check_ring(draft, both, axes.z, tuple(tops), shape[1]["r_b"], beyond[0])
     ratio = _contact_ratio(draft, axes, (tops[0].angle, tops[1].angle), beyond, order.internal)
+    if h is None or h_w is None:
+        h = draft.draw(inside.less, "h", shape[0]["r_a"], shape[0]["r_f"], unit="m")
+        h_w = draft.draw(inside.less, "h_{w}", h, limits[0]["clearance"], unit="m")
     k_tip = draft.take(Number, "k_{s}", order.least_tip)
     least = draft.draw(share, "[s_{a}]", m, k_tip, unit="m")
     wheels = [_wheel(pair, k, shape[k], tops[k], limits[k]) for k in range(2)]
@@ -187,7 +194,7 @@ def _coefficients(draft: Draft, order: GearTask) -> tuple[tuple[Mark, Mark], Mar
     return (ha, ha), draft.take(Number, "c^{*}", order.c)
 
 
-def _racks(draft: Draft, drawn: Section) -> tuple[RackSizes, RackSizes]:
+def _racks(draft: Draft, drawn: Section, order: GearTask) -> tuple[RackSizes, RackSizes]:
     """Calculate the rounding at the tips of the racks; a wheel's has the addendum of its mate."""
 
     def cutting(ha: Mark, i: str) -> RackSizes:
@@ -200,20 +207,16 @@ def _racks(draft: Draft, drawn: Section) -> tuple[RackSizes, RackSizes]:
         return RackSizes(ha, drawn.c, rounding, straight, offset)
 
     one, other = drawn.ha
-    if one is other:
-        same = cutting(one, "")
+    if one is other or order.internal:
+        same = cutting(drawn.ha[_deeper(order, 0)], "")
         return same, same
     return cutting(other, "1"), cutting(one, "2")
 
 
-def _heights(draft: Draft, normal: Section, dy: Mark, first: dict[str, Mark]) -> tuple[Mark, Mark]:
-    """Calculate the height of a tooth, and without the clearance; ``first``: the radii of wheel 1."""
-    (m, _, (ha, mate), c) = normal
-    if ha is mate:
-        h = draft.draw(g.tooth_height, "h", m, ha, c, dy, unit="m")
-        return h, draft.draw(g.working_depth, "h_{w}", m, ha, dy, unit="m")
-    h = draft.draw(inside.less, "h", first["r_a"], first["r_f"], unit="m")
-    return h, draft.draw(inside.less, "h_{w}", h, draft.draw(share, "c", m, c, unit="m"), unit="m")
+def _deeper(order: GearTask, k: int) -> int:
+    """Return whose addendum a wheel has room for: its mate's, in a ring of shorter teeth the longer one."""
+    one, other = order.addenda
+    return 0 if k or (order.internal and one > other) else 1
 
 
 def _shape(draft: Draft, pair: _Pair, k: int, order: GearTask) -> dict[str, Mark]:
@@ -223,7 +226,7 @@ def _shape(draft: Draft, pair: _Pair, k: int, order: GearTask) -> dict[str, Mark
     root, tip, thick = how = _RING if order.internal and k else _WHEEL
     r_b = draft.draw(g.times_cosine, f"r_{{b{i}}}", r, alpha, unit="m")
     r_w = draft.draw(g.over_cosine, f"r_{{w{i}}}", r_b, pair.axes.alpha_w, unit="m")
-    r_f = draft.draw(root, f"r_{{f{i}}}", r, m, ha[1 - k], c, x, unit="m")
+    r_f = draft.draw(root, f"r_{{f{i}}}", r, m, ha[_deeper(order, k)], c, x, unit="m")
     r_a = draft.draw(tip, f"r_{{a{i}}}", r, m, ha[k], x, pair.dy, unit="m")
     s = draft.draw(thick, letter_of(order, "s", i), wide, shift, alpha, unit="m")
     found = {"r_b": r_b, "r_w": r_w, "r_f": r_f, "r_a": r_a, "s": s}
@@ -251,7 +254,8 @@ def _cut(
     flat = (tool.straight, wide, axes.z[k], alpha)
     x_min = draft.draw(rack.least_shift, f"{least[:-1]}{i}}}", *flat)
     if pair.helix is not None:
-        x_min = draft.draw(normal_factor, letter_of(order, "x_{min}", i), x_min, pair.helix.beta)
+        name = letter_of(order, "x_{min}", i)
+        x_min = draft.draw(g.over_cosine, name, x_min, pair.helix.beta, why=NORMAL)
     ends = (r, alpha, tool.straight, shift, wide)
     limit = draft.draw(rack.limit_curvature, f"ρ_{{l{i}}}", *ends, unit="m")
     return {
@@ -264,15 +268,13 @@ def _ringed(
     draft: Draft, pair: _Pair, k: int, order: GearTask, shape: dict[str, Mark]
 ) -> dict[str, Mark]:
     """Calculate tip and root of a ring's teeth; where the tip lies inside the base circle they end there."""
-    (r_b, _, r_f, r_a, s), (_, alpha, *_) = shape.values(), pair.drawn
+    (r_b, _, _, r_a, s), (_, alpha, *_) = shape.values(), pair.drawn
     value, rest = known(draft), (s, pair.axes.r[k], alpha)
     top = r_b if value(r_a) < value(r_b) else r_a
     alpha_a = draft.draw(g.tip_angle, "α_{a2}", r_b, top)
     name = letter_of(order, "s_{a}", 2)
     s_a = draft.draw(inside.ring_thickness_at, name, top, *rest, alpha_a, unit="m")
-    alpha_f = draft.draw(g.tip_angle, "α_{f2}", r_b, r_f)
-    s_f = draft.draw(inside.ring_thickness_at, "s_{f2}", r_f, *rest, alpha_f, unit="m")
-    return {"alpha_a": alpha_a, "s_a": s_a, "top": top, "s_f": s_f}
+    return {"alpha_a": alpha_a, "s_a": s_a, "top": top}
 
 
 _WHEEL = (g.root_radius, g.tip_radius, g.tooth_thickness)
@@ -328,24 +330,6 @@ def _limits(
     clear = inside.clearance_inside if internal else g.tip_clearance
     found["clearance"] = draft.draw(clear, f"c_{i}", axes.a_w, *gap, unit="m")
     return found
-
-
-def _check_ring(
-    draft: Draft, pair: _Pair, shape: list[dict[str, Mark]], tops: list[_Top], cut: bool, p: Mark
-) -> inside.Ring:
-    """Calculate what is asked of a ring only; ``cut``: its tips reach beyond N1."""
-    axes, own = pair.axes, shape[1]
-    marks = inside.check_ring(
-        draft, (axes.a_w, axes.alpha_w), axes.z, (tops[0], tops[1]), own["r_b"]
-    )
-    space = draft.draw(
-        inside.root_space, "e_{f2}", p, axes.r[1], own["r_f"], own.pop("s_f"), unit="m"
-    )
-    uncut = None
-    if cut:
-        angles = (axes.z[0], tops[0].angle, axes.z[1], tops[1].angle, axes.alpha_w)
-        uncut = draft.draw(inside.contact_ratio_inside, "[ε_{α}]", *angles)
-    return inside.Ring(*marks, space, uncut)
 
 
 def _wheel(

@@ -39,9 +39,6 @@ FAILS = {
         "beyond N1; the contact ratio is {ratio:.4g}, counted from N1; give the ring more teeth, a smaller ha "
         "or a greater x2"
     ),
-    "root space": said(
-        "the space of the ring is closed at its root: its flanks meet there; take a smaller x2"
-    ),
     "tip overlap": said(
         "where the tip circles cross the teeth overlap by {depth:.3g} mm: give the ring more teeth, a smaller "
         "ha or a greater x2"

@@ -150,8 +150,8 @@ def angle_of_distance(a: Number, alpha: Angle, a_w: Number) -> Angle:
 
 
 @formula(why=said("So much shift fills the pitch on the rolling circles without backlash."))
-def sum_of_shifts(inv_w: Number, inv: Number, alpha: Angle, z1: Number, z2: Number) -> Number:
-    """({inv_w} − {inv})·({z1} + {z2})/(2·tan {alpha})"""
+def sum_of_shifts(inv_w: Number, inv: Number, alpha: Angle, z: Number) -> Number:
+    """({inv_w} − {inv})·{z}/(2·tan {alpha})"""
 
 
 @formula(why=said("The tooth reaches from the root circle to the tip circle."))

@@ -13,8 +13,12 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.chapters.gears.formulas import over_cosine, times_cosine
 from graphic_tmm.language.said import said
 
+WIDER = said("Across the axes a tooth that leans is broader by the cosine.")
+LOWER = said("The height stays, the module is larger: so the coefficient is smaller by the cosine.")
+NORMAL = said("Told in modules across the teeth, as the shifts are given.")
 ACROSS = {
     "m": "m_{n}", "α": "α_{n}", "inv α": "inv α_{t}", "α_{w}": "α_{tw}", "inv α_{w}": "inv α_{tw}",
     "p": "p_{t}", "p_{b}": "p_{bt}", "x": "x_{n}", "s": "s_{t}", "s_{a}": "s_{at}",
@@ -23,24 +27,9 @@ ACROSS = {
 """By its letter in a spur pair, that of a size in a helical one: n across the teeth, t across the axes."""
 
 
-@formula(why=said("Across the axes a tooth that leans by {beta} is broader."))
-def transverse_module(m: Number, beta: Angle) -> Number:
-    """{m}/cos {beta}"""
-
-
 @formula(why=said("Across the axes the flank leans more: its height stays, its breadth grows."))
 def transverse_angle(alpha: Angle, beta: Angle) -> Angle:
     """arctan(tan {alpha}/cos {beta})"""
-
-
-@formula(why=said("The height stays, the module is larger: so the coefficient is smaller."))
-def transverse_factor(factor: Number, beta: Angle) -> Number:
-    """{factor}·cos {beta}"""
-
-
-@formula(why=said("Told in modules across the teeth, as the shifts are given."))
-def normal_factor(factor: Number, beta: Angle) -> Number:
-    """{factor}/cos {beta}"""
 
 
 @formula(why=said("A spur wheel of so many teeth has the tooth that stands across the helix."))
@@ -75,10 +64,10 @@ def draw_helix(
 ) -> Helix:
     """Calculate the basic rack in the transverse section."""
     angle = draft.take(Angle, "β", beta, "°")
-    wide = draft.draw(transverse_module, "m_{t}", m, angle, unit="m")
+    wide = draft.draw(over_cosine, "m_{t}", m, angle, unit="m", why=WIDER)
     steep = draft.draw(transverse_angle, "α_{t}", alpha, angle)
     by_mark = {
-        mark: draft.draw(transverse_factor, _transverse(mark.letter), mark, angle)
+        mark: draft.draw(times_cosine, _transverse(mark.letter), mark, angle, why=LOWER)
         for mark in dict.fromkeys((*ha, c))
     }
     return Helix(angle, wide, steep, (by_mark[ha[0]], by_mark[ha[1]]), by_mark[c])

@@ -18,10 +18,12 @@ RATIO = said(
     "{contact_ratio_difference} apart."
 )
 SLIDES = said(
-    "Wheel 2 turns with {n2}; the flanks slide with {v_sa} where a pair begins to touch and with {v_sb} where it "
-    "ceases, {v_sa_ratio} and {v_sb_ratio} of the velocity {v_rolling} of the rolling circles."
+    "Wheel 2 turns with {n2}; the flanks slide with {v_sa} where a pair begins to touch and with {v_sb} "
+    "where it ceases, {v_sa_ratio} and {v_sb_ratio} of the velocity {v_rolling} of the rolling circles."
 )
-SKEW = said("Over the width the teeth overlap by {overlap_ratio}: in all {total_ratio} pairs touch.")
+SKEW = said(
+    "Over the width the teeth overlap by {overlap_ratio}: in all {total_ratio} pairs touch."
+)
 ALL = said(
     "All conditions of the meshing hold: no tooth is pointed ({s_a1} and {s_a2} at the tips) or undercut, the "
     "flanks do not interfere, the clearance is kept, and the contact ratio {contact_ratio} is above 1."

@@ -72,7 +72,8 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
         If there is no working angle, or a wheel has no teeth.
     """
     order = sizes.order
-    for rack, addendum in zip(sizes.racks, order.addenda[::-1], strict=False):
+    mates = (max(order.addenda),) if order.internal else order.addenda[::-1]
+    for rack, addendum in zip(sizes.racks, mates, strict=True):
         if value(rack.rounding) >= 0.0 and value(rack.offset) >= -1e-12 * order.m:
             continue
         raise TaskError(
@@ -105,31 +106,21 @@ def _refuse_angle(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
                 least=1000.0 * value(sizes.a) * math.cos(math.radians(value(sizes.alpha))),
             ),
         )
-    angle = math.radians(order.alpha)
     x1, x2 = (value(wheel.x) for wheel in sizes.wheels)
     z1, z2 = order.teeth
-    least = -value(sizes.inv) / (2.0 * math.tan(angle))
+    told, both, teeth = "x1 + x2", x1 + x2, z1 + z2
     if order.internal:
-        raise TaskError(
-            "gears",
-            "x2",
-            said(
-                "the wheels have no working angle (inv α_w = {inv:.4g}): x2 − x1 = {x:g} must be "
-                "greater than {least:.4g}",
-                inv=value(sizes.inv_w),
-                x=x2 - x1,
-                least=least * (z2 - z1),
-            ),
-        )
+        told, both, teeth = "x2 − x1", x2 - x1, z2 - z1
     raise TaskError(
         "gears",
-        "x1",
+        "x2" if order.internal else "x1",
         said(
-            "the wheels have no working angle (inv α_w = {inv:.4g}): x1 + x2 = {x:g} must be "
+            "the wheels have no working angle (inv α_w = {inv:.4g}): {sum} = {x:g} must be "
             "greater than {least:.4g}",
             inv=value(sizes.inv_w),
-            x=x1 + x2,
-            least=least * (z1 + z2),
+            sum=told,
+            x=both,
+            least=-value(sizes.inv) * teeth / (2.0 * math.tan(math.radians(order.alpha))),
         ),
     )
 

@@ -30,13 +30,6 @@ def working_involute_inside(x1: Number, x2: Number, alpha: Angle, z1: Number, z2
     """2·({x2} − {x1})·tan {alpha}/({z2} − {z1}) + inv {alpha}"""
 
 
-@formula(why=said("So much the shifts differ that fill the pitch on the rolling circles."))
-def difference_of_shifts(
-    inv_w: Number, inv: Number, alpha: Angle, z1: Number, z2: Number
-) -> Number:
-    """({inv_w} − {inv})·({z2} − {z1})/(2·tan {alpha})"""
-
-
 @formula(why=said("What the one leaves of the other."))
 def less(whole: Number, part: Number) -> Number:
     """{whole} − {part}"""
@@ -78,11 +71,6 @@ def ring_thickness(m: Number, x: Number, alpha: Angle) -> Number:
 )
 def ring_thickness_at(r_a: Number, s: Number, r: Number, alpha: Angle, alpha_a: Angle) -> Number:
     """{r_a}·({s}/{r} + 2·(inv {alpha_a} − inv {alpha}))"""
-
-
-@formula(why=said("What the teeth leave of a pitch is the space."))
-def root_space(p: Number, r: Number, r_f: Number, s: Number) -> Number:
-    """{p}·{r_f}/{r} − {s}"""
 
 
 @formula(why=said("The tip of the ring reaches down to this point of the flank, counted from N₁."))
@@ -163,14 +151,12 @@ class Ring:
     """What is asked of a ring about a wheel only (m).
 
     The least tip radius; what is left between corners where the tip circles cross, and when the wheel is put in
-    along the line of centres; a space at its root. ``uncut``: the contact ratio to the tip circle, where that
-    reaches beyond N1.
+    along the line of centres. ``uncut``: the contact ratio to the tip circle, where that reaches beyond N1.
     """
 
     least_tip: Mark
     overlap: Mark
     assembly: Mark
-    space: Mark
     uncut: Mark | None
 
 
@@ -178,23 +164,23 @@ def check_ring(
     draft: Draft,
     axes: tuple[Mark, Mark],
     z: tuple[Mark, Mark],
-    tips: tuple[tuple[Mark, Mark], tuple[Mark, Mark]],
+    tips: tuple[tuple[Mark, Mark], ...],
     r_b: Mark,
-) -> tuple[Mark, Mark, Mark]:
-    """Calculate the least tip radius and both gaps; ``axes``: a_w, α_w; ``tips``: radius and profile angle."""
+    beyond: bool,
+) -> Ring:
+    """Calculate what is asked of a ring only; ``axes``: a_w, α_w; ``tips``: radius and profile angle."""
     (a_w, alpha_w), ((r_a1, a1), (r_a2, a2)) = axes, tips
     least = draft.draw(least_tip_radius, "r_{l2}", r_b, a_w, alpha_w, unit="m")
     u = draft.draw(ratio_of_teeth, "z_{2}/z_{1}", z[1], z[0])
-    across = (
-        draft.draw(crossing_of_wheel, "θ_{1}", a_w, r_a1, r_a2),
-        draft.draw(crossing_of_ring, "θ_{2}", a_w, r_a1, r_a2),
-    )
-    entry = (
-        draft.draw(entry_of_wheel, "ψ_{1}", a1, a2, *z),
-        draft.draw(entry_of_ring, "ψ_{2}", a1, a2, *z),
-    )
-    overlap, assembly = (
-        draft.draw(gap_of_corners, name, r_a2, u, t1, a1, t2, a2, alpha_w, unit="m")
-        for name, (t1, t2) in (("δ_{θ}", across), ("δ_{ψ}", entry))
-    )
-    return least, overlap, assembly
+    gaps = []
+    for name, ops, own in (
+        ("θ", (crossing_of_wheel, crossing_of_ring), (a_w, r_a1, r_a2)),
+        ("ψ", (entry_of_wheel, entry_of_ring), (a1, a2, *z)),
+    ):
+        t1, t2 = (draft.draw(op, f"{name}_{{{i}}}", *own) for i, op in enumerate(ops, 1))
+        corners = (r_a2, u, t1, a1, t2, a2, alpha_w)
+        gaps.append(draft.draw(gap_of_corners, f"δ_{{{name}}}", *corners, unit="m"))
+    uncut = None
+    if beyond:
+        uncut = draft.draw(contact_ratio_inside, "[ε_{α}]", z[0], a1, z[1], a2, alpha_w)
+    return Ring(least, gaps[0], gaps[1], uncut)

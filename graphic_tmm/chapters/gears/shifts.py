@@ -11,7 +11,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears import ring as inside
-from graphic_tmm.chapters.gears.helical import ACROSS, Helix, transverse_factor
+from graphic_tmm.chapters.gears.helical import ACROSS, LOWER, Helix
 from graphic_tmm.chapters.gears.task import GearTask
 
 
@@ -70,8 +70,9 @@ def calculate_axes(
         a_w = draft.take(Number, "a_{w}", order.distance, "m")
         alpha_w = draft.draw(g.angle_of_distance, alpha_w_, a, drawn.alpha, a_w)
         inv_w = draft.draw(g.involute, inv_w_, alpha_w)
-        op = inside.difference_of_shifts if order.internal else g.sum_of_shifts
-        x_sum = draft.draw(op, "x_{Σ}", inv_w, inv, normal.alpha, z1, z2)
+        z = (inside.less, "z_{Σ}", z2, z1) if order.internal else (added, "z_{Σ}", z1, z2)
+        angles = (inv_w, inv, normal.alpha, draft.draw(*z))
+        x_sum = draft.draw(g.sum_of_shifts, "x_{Σ}", *angles)
         x, _ = _shifts(draft, order, x_sum)
         across = _drawn_shifts(draft, helix, x)
     else:
@@ -107,7 +108,7 @@ def _drawn_shifts(draft: Draft, helix: Helix | None, x: tuple[Mark, Mark]) -> tu
     if helix is None:
         return x
     one, other = (
-        draft.draw(transverse_factor, f"x_{{t{i}}}", shift, helix.beta)
+        draft.draw(g.times_cosine, f"x_{{t{i}}}", shift, helix.beta, why=LOWER)
         for i, shift in enumerate(x, 1)
     )
     return one, other

@@ -71,7 +71,8 @@ class GearTask:
     Its module is ``m`` (m), the shift coefficients are ``x1``, ``x2``: 0 where they are left out, but what
     ``distance`` (that of the axes, m) or ``x_sum`` leaves. Wheel 1 drives. ``z2`` is negative for a ring about
     wheel 1; the sum of its shifts is x2 − x1. ``alpha`` (degrees), ``ha`` and ``c`` are those of the basic
-    rack; of two ``ha`` each is a wheel's own addendum, which its mate has room for. ``beta``: the helix angle
+    rack; of two ``ha`` each is a wheel's own addendum, which its mate has room for; a ring with the shorter
+    one leaves its wheel as it is. ``beta``: the helix angle
     (degrees); m, alpha, ha, c and the shifts then are those of the normal section. ``width``: of the rims (m).
     ``speed``: of wheel 1, rad/s. ``delta_y``: the equalising shift if a table gives it, else it
     follows exactly. ``steps``: by how many steps a flank is rolled. ``least_tip``: the least thickness at the

@@ -19,7 +19,7 @@ def given(scene: Scene) -> Iterator[Given]:
         return
     for row in given_by_keys(CHAPTER, scene):
         if row.symbol == "c^*" and isinstance(order.ha, tuple):
-            yield from (Given(f"h_a{i}^*", value) for i, value in enumerate(order.ha, 1))
+            yield from (Given(f"h_{{a{i}}}^*", value) for i, value in enumerate(order.ha, 1))
         yield given_speed("1", order.speed) if row.symbol == "ω_1" and order.speed else row
 
 

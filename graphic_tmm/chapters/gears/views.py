@@ -31,7 +31,6 @@ CHECKS = Tongues(
         "interference": said("interference"),
         "clearance": said("clearance"),
         "ring tip": said("tips within N1"),
-        "root space": said("space at the root"),
         "tip overlap": said("tips pass one another"),
         "assembly": said("radial assembly"),
         "contact ratio": said("contact ratio"),

@@ -86,7 +86,8 @@ def given(order: GearTask) -> Given:
         less = order.delta_y * lean
     ha, c = [lean * one for one in order.addenda], lean * order.c
     tip = [pitch[0] + ha[0] + x[0] - less, pitch[1] + sign * (ha[1] + sign * x[1] - less)]
-    root = [pitch[0] - ha[1] - c + x[0], pitch[1] - sign * (ha[0] + c - sign * x[1])]
+    deep = max(ha) if inside else ha[1]
+    root = [pitch[0] - deep - c + x[0], pitch[1] - sign * (ha[0] + c - sign * x[1])]
     half = [one / 2 + inv(alpha) for one in thick]
     roll = [b / cos(angle) for b in base]
     both = [(base[0], base[1]), (roll[0], roll[1]), (tip[0], tip[1]), (root[0], root[1])]
