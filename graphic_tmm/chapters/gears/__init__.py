@@ -21,10 +21,11 @@ is there before the first one leaves (`contact`). Flanks slide on one another bu
 
 A helical pair is drawn in the section across its axes (`helical`). In a ring N₁ and N₂ lie on one side of P;
 `ring` asks whether wheel and ring miss one another. The distance of the axes or the sum of the shifts gives the
-shift that is missing (`shifts`). What does not work is told by checks, beside the drawing.
+shift that is missing (`shifts`). What does not work is told by checks. Where the speed of wheel 1 is given the
+velocities of sliding are calculated (`record`).
 
 Beside the drawing are calculated the ratio, the arc of engagement, and how long each dimension is on the
-sheet, and speeds where that of wheel 1 is given; a given length of a_w there makes the scale of the mesh.
+sheet (`beside`); a given length of a_w there makes the scale of the mesh.
 
 Draws: place ``gears``: the mesh with three teeth a wheel, the rolling of a flank in a view of its own, the
 diagram of sliding, tables; on a board of its own whose positions are the steps of the rolling. Builds on no
