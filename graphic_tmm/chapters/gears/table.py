@@ -114,7 +114,7 @@ def _moving(drawn: Drawn) -> Callable[[Station], Station]:
         return lambda one: one
     limits = dict(zip("ab", (end.name.translate(_BARE) for end in ends), strict=True))
 
-    def told(one: Station) -> Station:
+    def speeds_at(one: Station) -> Station:
         name, k = one.name.translate(_BARE), 0
         if name.isdigit():
             name, k = "s", int(name) - 1
@@ -122,7 +122,7 @@ def _moving(drawn: Drawn) -> Callable[[Station], Station]:
         speed, share = (reading[mark][:, k] for mark in marks)
         return one._replace(speeds=(speed, share))
 
-    return told
+    return speeds_at
 
 
 def _places(drawn: Drawn) -> Iterator[Station]:
