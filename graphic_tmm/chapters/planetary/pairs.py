@@ -50,12 +50,13 @@ class Outside:
 class Pairs:
     """All wheels outside the train: their ``ratio`` with it, without sign, None where none are.
 
-    ``speeds``: where there are wheels before the train, the angular velocity given of the first, then those of
-    the shafts that follow, at the end that of the train's own shaft.
+    ``teeth``: by the wheel. ``speeds``: where there are wheels before the train, the angular velocity given of
+    the first, then those of the shafts that follow, at the end that of the train's own shaft.
     """
 
     outside: tuple[Outside, ...]
     ratio: Mark | None
+    teeth: Mapping[str, Mark]
     speeds: tuple[Mark, ...]
 
     @property
@@ -118,7 +119,7 @@ def draw_pairs(
         letter = f"ω_{index(motion.first if row is sides['before'][0] else last)}"
         own = (speeds[-1], teeth[first], teeth[last])
         speeds.append(draft.draw(op, letter, *own, unit="1/s"))
-    return Pairs(tuple(outside), ratio if ends else None, tuple(speeds))
+    return Pairs(tuple(outside), ratio if ends else None, teeth, tuple(speeds))
 
 
 def index(name: str) -> str:

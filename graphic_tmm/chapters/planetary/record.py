@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
@@ -22,11 +23,12 @@ CALCULATED, BEHIND = "planetary-calculation", "planetary-behind"
 class Aside(NamedTuple):
     """Marks (Number).
 
-    ``stopped``: the ratio of each mesh while the carrier stands; ``ring``, ``satellite``: the teeth of a train
-    of one row that its ratio asks for, not yet whole; ``most``: the largest number of satellites whose teeth do
-    not touch; ``turns``: of the bodies that move, as drawn, rpm; ``torques`` on the three shafts, N·m, and the
-    ``efficiency`` where one drives, if asked for, by the numbers of what is ``lost``; ``speed``: of the last
-    wheel behind the train, rpm, without sign. None where there is no such thing.
+    ``stopped``: the ratio of each mesh while the carrier stands; ``ring``, ``satellite``: the teeth of a
+    train of one row that its ratio asks for, not yet whole; ``most``: the largest number of satellites whose
+    teeth do not touch; ``turns``: of the bodies that move, as drawn, and of the wheels outside, rpm;
+    ``torques`` on the three shafts, N·m, and the ``efficiency`` where one drives, if asked for, by the
+    numbers of what is ``lost``; ``speed``: of the last wheel behind the train, rpm, without sign. None where
+    there is no such thing.
     """
 
     stopped: tuple[Mark, ...]
@@ -53,8 +55,24 @@ def record_beside(bench: Bench) -> Aside:
         body: bench.draft.draw(t.turns_a_minute, f"n_{body}", omega, unit="rpm")
         for body, omega in made.rates.values.items()
     }
+    turns |= _turns_outside(bench, made, turns)
     lost, torques, share = draw_torques(bench.draft, made)
     return Aside(stopped, ring, satellite, most, turns, lost, torques, share, _speed(bench, made))
+
+
+def _turns_outside(
+    bench: Bench, made: Planetary, turns: Mapping[str, Mark]
+) -> Iterator[tuple[str, Mark]]:
+    """Yield the turns a minute of wheels before and behind the train, from its shafts outward."""
+    for view in made.pairs.outside:
+        own = turns[view.member]
+        side = "behind" if view.member == made.motion.driven else "before"
+        for row in rows_of(made.order, made.train.scheme, side):
+            yield row.names[0], own
+            for one, other in pairwise(row.names):
+                z, letter = made.pairs.teeth, f"n_{index(other)}"
+                own = bench.draft.draw(t.rate_back, letter, own, z[one], z[other], unit="rpm")
+                yield other, own
 
 
 def _teeth_for_ratio(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark | None]:

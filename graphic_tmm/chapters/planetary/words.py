@@ -23,7 +23,7 @@ CAPTIONS: dict[str, str] = {
     "planetary_omega_difference": "Δ_{ω}",
     "planetary_omega": said("ω by Willis"),
     "planetary_omega_drawn": said("ω as drawn"),
-    **{f"planetary_n_{body}": f"n_{body}" for body in "12345H"},
+    **{f"planetary_n_{body}": f"n_{body}" for body in (*map(str, range(1, 30)), "H")},
     **{f"planetary_M_{member}": f"M_{member}" for member in "1345H"},
     "planetary_efficiency": "η",
     "planetary-torques": said("Torques on the shafts"),

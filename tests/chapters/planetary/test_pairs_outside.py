@@ -96,6 +96,9 @@ def test_the_last_wheel_turns_as_the_teeth_say(tmp_path: Path) -> None:
     speed = BESIDE.on(drawn).speed
     assert speed is not None
     assert drawn.reading[speed].item() == pytest.approx(24.0, rel=1e-9)
+    turns = {name: drawn.reading[mark].item() for name, mark in BESIDE.on(drawn).turns.items()}
+    due = {"9": 1440, "10": -480, "1": -480, "2": 240, "H": -120, "4": -120, "5": 72, "6": 72}
+    assert turns == pytest.approx(due | {"7": -64.8, "8": 24}, rel=1e-9)
     order = ASKED.of(drawn.scene)
     assert order is not None
     assert (order.before, order.behind) == (((20, 60),), ((15, 25), (18, 20, 54)))
