@@ -41,6 +41,8 @@ DISC = 7.0
 """From a turning ring to the disc that carries it, mm."""
 GROUND = 4.0
 """How far the ground of a fixed ring goes on at its sides, mm."""
+SHORT = 9.0
+"""Length of the hollow hub of a wheel with external teeth, mm."""
 HOLLOW, HUB = 4.0, 14.0
 """Radius of the bore of a wheel through which the shaft of the carrier goes, length of its hollow shaft, mm."""
 
@@ -72,11 +74,12 @@ class Scheme2KH(NamedTuple):
     def right(self) -> float:
         """Where the shaft of the carrier ends, or that of the last wheel where the carrier runs idle."""
         for view in self.outside:
-            if view.member != "1":
+            if view.member == "H" or (self.idle and view.member != "1"):
                 return view.first.centre.real + WIDTH / 2 + STUB
         if self.last is None:
             return self.arm[1].real + WIDTH / 2 + SHAFT
-        beyond = self.hub[1] if self.turns_outside else self.last.centre.real + WIDTH / 2
+        long = self.turns_outside or self.carried
+        beyond = self.hub[1] if long else self.last.centre.real + WIDTH / 2
         if self.idle and self.motion.fixed != self.motion.last:
             beyond += DISC
         return max(beyond, self.arm[1].real + WIDTH / 2) + SHAFT
@@ -88,11 +91,17 @@ class Scheme2KH(NamedTuple):
         return ring and not self.idle and self.motion.fixed != self.motion.last
 
     @property
+    def carried(self) -> list[Side]:
+        """The wheel outside the train that the hollow shaft of the last wheel carries, if there is one."""
+        last = "" if self.idle else self.motion.last
+        return [view.first for view in self.outside if view.member == last]
+
+    @property
     def hub(self) -> tuple[float, float]:
-        """From where to where the hollow shaft of such a ring reaches."""
+        """From where to where the hollow shaft of a last wheel that turns reaches."""
         assert self.last is not None
         start = max(self.last.centre.real + WIDTH / 2, self.arm[1].real + STUB) + DISC
-        return start, start + HUB
+        return start, max([start, *(wheel.centre.real + WIDTH / 2 for wheel in self.carried)]) + HUB
 
     @property
     def before(self) -> float:
@@ -117,7 +126,8 @@ class Scheme2KH(NamedTuple):
     @property
     def bearing_middle(self) -> float:
         """The middle of the bearing of wheel 1."""
-        return self.left + SHAFT / 2
+        beside = any(view.member == "1" for view in self.outside)
+        return self.left + SHAFT / 2 + (WIDTH / 2 if beside else 0.0)
 
 
 def draw_scheme(made: Scheme2KH) -> Iterator[tuple[str, Strokes]]:
@@ -169,7 +179,8 @@ def _other(made: Scheme2KH, mesh: Mesh) -> Iterator[Stroke]:
     if made.turns_outside:
         yield from _ring_on_hub(wheel, *made.hub)
     elif stands or not made.idle:
-        yield from _last(wheel, mesh.sense, stands=stands)
+        end = made.hub[1] if made.carried else wheel.centre.real + WIDTH / 2 + SHORT
+        yield from _last(wheel, mesh.sense, end, stands=stands)
     elif wheel == made.last:
         yield from _ring_on_shaft(wheel, made.right, 1)
         middle = wheel.centre.real + WIDTH / 2 + DISC + SHAFT / 2
@@ -216,7 +227,7 @@ def _built_in(at: complex, way: int) -> Strokes:
     return (line("main", *ends), *hatching(*ends, 1))
 
 
-def _last(wheel: Side, sense_of_mesh: int, *, stands: bool) -> list[Stroke]:
+def _last(wheel: Side, sense_of_mesh: int, end: float, *, stands: bool) -> list[Stroke]:
     """A ring with its ground, or a wheel on its hollow hub, on the ground or in a bearing."""
     half, x, strokes = WIDTH / 2, wheel.centre.real, list[Stroke]()
     for sense in (1, -1):
@@ -227,7 +238,7 @@ def _last(wheel: Side, sense_of_mesh: int, *, stands: bool) -> list[Stroke]:
             strokes += guide(*ends, sides=(sense,))
             continue
         bore = min(HOLLOW, wheel.radius / 2)
-        low, high, end = sense * bore, sense * wheel.radius, x + half + 9.0
+        low, high = sense * bore, sense * wheel.radius
         strokes.append(
             line(
                 "main",
@@ -264,7 +275,7 @@ def _carrier(made: Scheme2KH, rims: list[Side]) -> list[Stroke]:
         return [*strokes, *_built_in(right, 1)]
     behind = foot.real if made.last is None else made.last.centre.real
     beside = max(behind, foot.real) + WIDTH / 2 + 2 * SHAFT / 3
-    if made.turns_outside:
+    if made.turns_outside or made.carried:
         beside = made.hub[1] + SHAFT / 2
     return [*strokes, *bearing(complex(beside, 0.0))]
 

@@ -120,7 +120,9 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
         ends = tuple(drawn.rates.ends.values())
         rays = execute(draft.board.construction(), draft.given, ends)
         left = min(left, *(float(rays[mark][0, 0].real) for mark in ends))
-        zero = max(zero, begins + (len(rows[False]) - 1) * SHAFT + AROUND - left)
+        over = not idle and any(view.member == drawn.motion.last for view in drawn.pairs.outside)
+        begins += (len(rows[False]) - 1) * SHAFT + (HOLLOW if over else 0.0)
+        zero = max(zero, begins + AROUND - left)
     draft.given[drawn.picture.place] = zero
 
 
