@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import random
+from collections.abc import Callable
 from dataclasses import replace
+from itertools import combinations
 
 import pytest
 from support import train_oracle as oracle
@@ -15,12 +17,13 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.planetary.ink import TRACELESS, Captions, draw_planetary_ink
 from graphic_tmm.chapters.planetary.plan import draw_planetary
-from graphic_tmm.chapters.planetary.task import PlanetaryTask
+from graphic_tmm.chapters.planetary.task import SCHEMES, PlanetaryTask
 from graphic_tmm.chapters.planetary.views import planetary_views
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.seen import Subject
+from graphic_tmm.paper.shapes import box, shape
 
 
 def drawn(order: PlanetaryTask) -> tuple[Construction, Drawing]:
@@ -75,6 +78,23 @@ def test_steps_of_random_trains_are_their_ink(scheme: str) -> None:
 )
 def test_steps_of_two_wheels_and_of_three_central_ones_are_their_ink(order: PlanetaryTask) -> None:
     assert_laws(*drawn(order))
+
+
+def test_letters_of_random_trains_stand_clear(many: Callable[[int, int], int]) -> None:
+    """Of two wheels and of three central ones, any member standing: no letter on another or on a heavy line."""
+    draw = random.Random("letters")
+    for k in range(many(36, 6)):
+        scheme = ("external", "internal", "3K")[k % 3]
+        driving, fixed = draw.sample(SCHEMES[scheme].members, 2)
+        teeth = oracle.random_teeth(draw, scheme)
+        order = PlanetaryTask(
+            scheme, 0.005, 100.0, driving, fixed, teeth=teeth, satellites=(draw.randint(1, 4),)
+        )
+        _, view = drawn(order)
+        boxes = [box(label) for label in view.labels]
+        assert all(one.disjoint(other) for one, other in combinations(boxes, 2)), order
+        heavy = [shape(s) for s in view.strokes if s.pen in ("main", "rod", "joint")]
+        assert all(one.disjoint(line) for one in boxes for line in heavy), order
 
 
 def test_the_train_is_drawn_step_by_step() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import random
 from dataclasses import replace
 from fractions import Fraction as F
 
@@ -114,3 +115,25 @@ def test_verdicts_together_say_what_the_oracle_says(data: st.DataObject) -> None
     assert held["coaxial"] == oracle.coaxial(name, four, q)
     assert held["assembly"] == oracle.phases(name, four, k)
     assert held["neighbours"] == oracle.apart(name, four, q, k, 1.0) or not held["coaxial"]
+
+
+def fits(teeth: tuple[int, ...], place: F, tooth: int) -> bool:
+    """Whether a satellite of two rims, by this tooth in the mesh with ring 3, fits sun 1 and ring 5."""
+    z1, z2, z3, z4, z5 = teeth
+    turned = (z3 * place - tooth) / z2
+    return (z1 * place + z2 * turned).denominator == (z5 * place - z4 * turned).denominator == 1
+
+
+def test_satellites_of_three_central_wheels_go_together_where_one_turn_of_theirs_fits_all() -> None:
+    """All turns of a satellite in the mesh with ring 3 are tried at every place: the others must fit, too."""
+    draw, outcomes = random.Random("three"), set()
+    for _ in range(80):
+        teeth = oracle.random_teeth(draw, "3K")
+        k = draw.randint(2, 4)
+
+        due = all(any(fits(teeth, F(n, k), m) for m in range(teeth[1])) for n in range(k))
+        order = PlanetaryTask("3K", 0.004, 1.0, teeth=teeth, satellites=(k,))
+        found = check(order, Train(SCHEMES["3K"], teeth, k))
+        assert all(one.holds for one in found if one.condition == "assembly") == due, (teeth, k)
+        outcomes.add(due)
+    assert outcomes == {True, False}
