@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
-from graphic_tmm.chapters.planetary.ink_pairs import Side, SideRows
+from graphic_tmm.chapters.planetary.ink_pairs import WIDTH, Side, SideRows
 from graphic_tmm.chapters.planetary.ink_scheme import ASIDE, Scheme2KH, draw_scheme, spots
 from graphic_tmm.chapters.planetary.motion import Motion, motion_of
 from graphic_tmm.chapters.planetary.pairs import index, rows_of
@@ -72,6 +72,10 @@ RADII: Mapping[str, tuple[float, ...]] = {
 """Radii of wheel 1 and of the rims of a scheme, mm: signs, all the same whatever the teeth."""
 BEHIND = (7.0, 11.0)
 """Radii of the pair behind the train, mm."""
+NEAR, WIDER = 30.0, 1.05
+"""How far rows outside stand from the train where the room is less, mm; so much wider it may be."""
+NEXT = 22.0
+"""And from row to row there, mm."""
 SMALLEST = 0.7
 """It is drawn no smaller than this."""
 TITLE = said("Scheme of the planetary train", context="task")
@@ -82,15 +86,20 @@ def scheme(scene: Scene, room: complex) -> Shown | None:
     order = ASKED.of(scene)
     if order is None:
         return None
-    view = _drawing(order, 1.0)
-    _, low, _, top = bounds(view)
+    view, apart = _drawing(order, 1.0, SHAFT), SHAFT
+    left, low, right, top = bounds(view)
+    if right - left > room.real and len((*order.before, *order.behind)) > 1:
+        view, apart = _drawing(order, 1.0, NEAR), NEAR
+        left, low, right, top = bounds(view)
+        if right - left > WIDER * room.real:
+            return None
     if top - low > room.imag:
-        view = _drawing(order, max(room.imag / (top - low), SMALLEST))
+        view = _drawing(order, max(room.imag / (top - low), SMALLEST), apart)
     return Shown(view._replace(title=speaking(scene.language)(TITLE)), 0.0)
 
 
-def _drawing(order: PlanetaryTask, share: float) -> Drawing:
-    made = _placed(order, share)
+def _drawing(order: PlanetaryTask, share: float, apart: float) -> Drawing:
+    made = _placed(order, share, apart)
     strokes = tuple(
         stroke
         for name, some in draw_scheme(made)
@@ -101,8 +110,8 @@ def _drawing(order: PlanetaryTask, share: float) -> Drawing:
     return finished(Drawing("scheme", "", strokes, wanted=tuple(wanted)))
 
 
-def _placed(order: PlanetaryTask, share: float) -> Scheme2KH:
-    """Return where everything stands, mm; ``share``: of the usual radii."""
+def _placed(order: PlanetaryTask, share: float, apart: float) -> Scheme2KH:
+    """Return where everything stands, mm; ``share``: of the usual radii; ``apart``: rows outside the train."""
     kind: Scheme = SCHEMES[order.scheme]
     radii = [share * radius for radius in RADII[kind.name]]
     axis, last = radii[0] + kind.first * radii[1], ROW * (kind.rows - 1)
@@ -118,8 +127,11 @@ def _placed(order: PlanetaryTask, share: float) -> Scheme2KH:
     motion = motion_of(order)
     outside = []
     for name, member in (("behind", motion.driven), ("before", motion.first)):
-        right = member != "1"
-        at, way = (max(last, arm) + SHAFT, SHAFT) if right else (min(0.0, arm) - SHAFT, -SHAFT)
+        onward = apart if apart == SHAFT else NEXT
+        at, way = min(0.0, arm) - apart, -onward
+        if member != "1":
+            # the disc of a ring 5 stands between
+            at, way = max(last + (0.0 if "H" in kind.members else WIDTH), arm) + apart, onward
         rows, y = [], 0.0
         for row in rows_of(order, kind, name):
             rows.append(_row(row.names, complex(at, y), share))
