@@ -19,11 +19,16 @@ from graphic_tmm.chapters.planetary.pairs import rows_of
 from graphic_tmm.chapters.planetary.plan import draw_planetary
 from graphic_tmm.chapters.planetary.record import BESIDE
 from graphic_tmm.chapters.planetary.task import ASKED, SCHEMES, PlanetaryTask
+from graphic_tmm.chapters.planetary.task_sheet import scheme
 from graphic_tmm.errors import SceneError
+from graphic_tmm.paper.packing import bounds
 from graphic_tmm.scene.read import read
 
 HEAD = 'title = "T"\nlanguage = "en"\n'
 TRAIN = '[planetary]\nscheme = "ring"\nmodule = "5 mm"\nspeed = "1440 rpm"\nteeth = [24, 24, 72]\n'
+
+
+THREE = TRAIN.replace('"ring"', '"3K"').replace("[24, 24, 72]", "[24, 36, 96, 20, 80]")
 
 
 def rolled(rows: tuple[tuple[int, ...], ...], omega: float) -> float:
@@ -123,3 +128,18 @@ def test_the_last_wheel_turns_as_the_teeth_say(tmp_path: Path) -> None:
 def test_what_is_no_pair_is_refused(more: str, says: str, tmp_path: Path) -> None:
     with pytest.raises(SceneError, match=says):
         read(calling(tmp_path, TRAIN + more + "\n", sheet="", head=HEAD))
+
+
+@pytest.mark.parametrize("behind", ["[15, 25]", "[[15, 25], [18, 40]]", "[[15, 25], [18, 20, 40]]"])
+@pytest.mark.parametrize(("train", "member"), [(TRAIN, "H"), (THREE, "5")])
+def test_the_scheme_of_a_task_keeps_within_its_sheet(
+    train: str, member: str, behind: str, tmp_path: Path
+) -> None:
+    text = f"{train}before = [20, 60]\nbehind = {behind}\n"
+    scene = read(calling(tmp_path, text, sheet="", head=HEAD))
+    room = complex(168.0, 92.0)
+    shown = scheme(scene, room)
+    assert shown is not None
+    left, _, right, _ = bounds(shown.view)
+    assert right - left <= 1.06 * room.real
+    assert {"1", "2", member} <= {label.text for label in shown.view.labels}
