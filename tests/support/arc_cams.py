@@ -12,7 +12,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.arc_cam.plan import ArcCam, draw_arc_cam
-from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ROLLER, ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.task import FLAT, FLAT_ROCKER, ROCKER, ROLLER, ArcTask, Flank
 
 FINE = 40_000
 """Points of each circle."""
@@ -83,6 +83,8 @@ def place(order: ArcTask, angle: float, lines: list[np.ndarray]) -> float:
     turned = [_mirrored(line, sense) * np.exp(1j * sense * math.radians(angle)) for line in lines]
     if order.follower == FLAT:
         return max(float(line.imag.max()) for line in turned)
+    if order.follower == FLAT_ROCKER:
+        return _tilted(order, np.concatenate(turned), sense)
     if order.follower == ROCKER:
         return _swung(order, np.concatenate(turned), sense)
     x, heights = sense * order.offset, []
@@ -126,6 +128,22 @@ def _swung(order: ArcTask, cloud: np.ndarray, sense: float) -> float:
     return high
 
 
+def _tilted(order: ArcTask, cloud: np.ndarray, sense: float) -> float:
+    """The angle at the pivot of a flat rocker that is turned towards the cam until its face meets a point."""
+    assert order.centres is not None
+    side, seen = sense * (-1.0 if order.same_sense else 1.0), cloud - 1j * order.centres
+
+    def beyond(angle: float) -> float:
+        normal = -side * np.exp(-1j * side * angle)
+        return float((seen * np.conj(normal)).real.max()) + order.roller
+
+    low, high = 0.0, math.pi / 2
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if beyond(middle) > 0 else (low, middle)
+    return high
+
+
 def _over(order: ArcTask, cloud: np.ndarray, pivot: complex, side: float, angle: float) -> bool:
     """Whether the lever's tip stands inside the cam: nearer to its centre than the contour there."""
     tip = pivot - 1j * (order.lever or 0.0) * np.exp(-1j * side * angle)
@@ -139,6 +157,9 @@ def lowest(order: ArcTask) -> float:
     reach = order.base + order.roller
     if order.follower == FLAT:
         return order.base
+    if order.follower == FLAT_ROCKER:
+        assert order.centres is not None
+        return math.asin(reach / order.centres)
     if order.follower == ROCKER:
         assert order.lever is not None
         assert order.centres is not None
@@ -147,7 +168,9 @@ def lowest(order: ArcTask) -> float:
     return math.sqrt(reach**2 - order.offset**2)
 
 
-KINDS = ("central", "offset", "edge", "flat", "against", "along")
+KINDS = ("central", "offset", "edge", "flat", "against", "along", "tilted", "tilted along")
+FLATS = ("flat", "tilted", "tilted along")
+"""Kinds with a flat face: on convex flanks only."""
 FLANKS = ("convex", "straight", "hollow", "unlike", "sharp")
 
 
@@ -170,6 +193,10 @@ def random_order(draw: random.Random, kind: str, flank: str) -> ArcTask:
     roller = draw.uniform(0.4, 0.8) * base
     if kind == "flat":
         return replace(order, follower=FLAT)
+    if kind.startswith("tilted"):
+        face = draw.choice((0.0, draw.uniform(0.1, 0.4) * base))
+        size = {"roller": face, "centres": 3.6 * base, "same_sense": kind.endswith("along")}
+        return replace(order, follower=FLAT_ROCKER, **size)
     if kind in ("against", "along"):
         size = {"lever": 3.0 * base, "centres": 3.6 * base, "same_sense": kind == "along"}
         return replace(order, follower=ROCKER, roller=roller, **size)

@@ -11,7 +11,8 @@ convex flank is therefore ρ − r1 from the cam's centre and ρ − r2 from the
 Reversed motion: the cam stands, the follower goes round it. As long as it is on one arc, the roller's centre
 keeps its distance from that arc's centre K, so ruler and compass find it: the line of the rod cuts the circle
 about K (of the lever: two circles meet). A link of that length in place of cam and roller moves the follower
-alike: the replacing mechanism. A flat face touches where the arc's normal is parallel to the rod (`follower`).
+alike: the replacing mechanism. A flat face touches where the arc's normal is parallel to the rod, that of a
+lever where the line through its pivot touches a circle about the arc's centre (`follower`).
 
 The displacements are laid off over the turn and differentiated twice by chords (`plan`). Where the follower
 goes from arc to arc d²S/dφ² jumps; chords smooth the jump over an interval. dS/dφ is found once more without

@@ -97,7 +97,9 @@ def draw_contour(
     sizes = _Sizes(
         _length(draft, "r_1", order.base),
         _length(draft, letters[1], order.nose) if order.nose else None,
-        _length(draft, "r", order.roller) if order.roller else None,
+        _length(draft, "l_f" if order.rocks and order.flat else "r", order.roller)
+        if order.roller
+        else None,
     )
     arcs = {"base": _circle(draft, "base", origin, sizes.base, sizes.roller)}
     if order.eccentric:

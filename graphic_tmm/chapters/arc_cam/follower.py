@@ -20,6 +20,7 @@ from graphic_tmm.board.operations.instruments import (
     square,
     strike,
     tangent,
+    touch,
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Reals, Side
@@ -28,7 +29,7 @@ from graphic_tmm.chapters.arc_cam import words as why
 from graphic_tmm.chapters.arc_cam.contour import Arc, Contour, End
 from graphic_tmm.chapters.arc_cam.formulas import line_on_arc, on_arc, turn_between
 from graphic_tmm.chapters.arc_cam.geometry import ARCS, TURN, Lie, side_on_straight
-from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ArcTask
+from graphic_tmm.chapters.arc_cam.task import FLAT, FLAT_ROCKER, ArcTask
 from graphic_tmm.chapters.cam.operations import slant, slew
 
 
@@ -98,7 +99,7 @@ class _Page:
 
     def __init__(self, draft: Draft, order: ArcTask, contour: Contour, sense: int) -> None:
         self.draft, self.order, self.contour, self.sense = draft, order, contour, sense
-        self.rocks, self.index = order.follower == ROCKER, ""
+        self.rocks, self.index = order.rocks, ""
         self.left = sense * (-1 if order.same_sense else 1)
         draw = draft.draw
         if order.offset:
@@ -107,11 +108,10 @@ class _Page:
         else:
             self.offset = None
         if self.rocks:
-            lengths = (("a", order.centres), ("l", order.lever))
-            reals = [draft.take(Number, f"l_{{{name}}}", size, "m") for name, size in lengths]
-            self.centres, self.lever = (
-                draw(to_board, name, real) for (name, _), real in zip(lengths, reals, strict=True)
-            )
+            assert order.centres is not None
+            self.centres = self._length("a", order.centres)
+            if order.lever is not None:
+                self.lever = self._length("l", order.lever)
         self.begin = self._end(contour.ends[0], "0")
         self.parts = draft.take(Number, "N", float(order.parts))
         if order.eccentric:
@@ -120,11 +120,18 @@ class _Page:
             ends = (self.begin, self._end(contour.ends[1], "N"))
             self.work = draw(turn_between, "Φ", *ends, sense=-sense, unit="°")
 
+    def _length(self, letter: str, real: float) -> Mark:
+        """Calculate a length on the board."""
+        mark = self.draft.take(Number, f"l_{{{letter}}}", real, "m")
+        return self.draft.draw(to_board, letter, mark)
+
     def _end(self, end: End, index: str) -> Mark:
         """Draw the line of the rod, or of the pivots, through the cam's centre where the follower goes over."""
         draw, origin = self.draft.draw, self.contour.origin
         if self.order.follower == FLAT:
             return draw(parallel, f"(B_{index})", origin, end.normal, why=why.FIRST)
+        if self.order.follower == FLAT_ROCKER:
+            return self._end_of_face(end, index)
         if self.rocks:
             arcs = (
                 draw(strike, "(a)", origin, self.centres),
@@ -138,6 +145,17 @@ class _Page:
         side = self.draft.take(Side, "±", 1.0)
         guide = draw(tangent, f"(B_{index})", end.point, origin, self.offset, side, why=why.OFFSET)
         return draw(parallel, f"(OB_{index})", origin, guide, why=why.FIRST)
+
+    def _end_of_face(self, end: End, index: str) -> Mark:
+        """Draw the line of the pivots where a flat rocker's line is square to the normal of the contour."""
+        draw = self.draft.draw
+        circle = draw(strike, "(a)", self.contour.origin, self.centres)
+        line = draw(square, f"(b_{index})", end.point, end.normal, sense=1, why=why.FIRST)
+        where = self.draft.take(
+            Side, "±", 1.0 if self.order.same_sense == (self.sense > 0) else -1.0
+        )
+        pivot = draw(cut, f"O_{{1,{index}}}", line, circle, where, why=why.FIRST)
+        return draw(join, f"(OO_{{1,{index}}})", self.contour.origin, pivot, why=why.FIRST)
 
     def letter(self, letter: str) -> str:
         """Return a letter with the number of the arc, or of the arcs, that the follower is on."""
@@ -197,8 +215,10 @@ class _Page:
 
     def _rocked(self, arc: Arc, line: Mark) -> _Own:
         draw, draft = self.draft.draw, self.draft
-        assert arc.way is not None
         pivot = draw(lay_off, self.letter("O_1"), line, self.centres, free=True, why=why.INVERTED)
+        if self.order.follower == FLAT_ROCKER:
+            return self._tilted(arc, line, pivot)
+        assert arc.way is not None
         swing = draw(strike, "(l)", pivot, self.lever)
         if arc.centre is None:
             flank, rising = (self.order.rise, 1) if arc.name == "rise" else (self.order.fall, -1)
@@ -213,6 +233,26 @@ class _Page:
                 cross, self.letter("B"), swing, arc.way, where, free=True, why=why.REPLACED
             )
         return _Own(line, point, self._instant(arc, point, line, why.PIVOTS), pivot)
+
+    def _tilted(self, arc: Arc, line: Mark, pivot: Mark) -> _Own:
+        """Draw a flat rocker on an arc: its line touches the circle at the face's distance about the centre."""
+        draw, contact = self.draft.draw, arc.centre
+        assert contact is not None
+        point = contact
+        if arc.way is not None:
+            side = self.draft.take(Side, "±", float(-self.left))
+            point = draw(
+                touch, self.letter("B"), pivot, arc.way, side, free=True, why=why.FACE_OF_LEVER
+            )
+        lever = draw(join, "(O_1B)", pivot, point)
+        normal = draw(square, "(n)", point, lever, sense=1, why=why.NORMAL)
+        if arc.radius is not None:
+            out = draw(square, "(K)", contact, lever, sense=-self.left, why=why.NORMAL)
+            contact = draw(
+                lay_off, self.letter("K"), out, arc.radius, free=True, why=why.FACE_OF_LEVER
+            )
+        instant = draw(meet, self.letter("P"), line, normal, free=True, why=why.PIVOTS)
+        return _Own(line, point, instant, pivot, contact)
 
     def merged(self, own: _Own, other: _Own, at: Mark) -> _Own:
         """Put together what was drawn for an arc and for those behind it."""
@@ -238,15 +278,16 @@ class _Page:
         pressure = None
         if self.rocks:
             assert own.pivot is not None
-            arc = draw(strike, "(l)", own.pivot, self.lever)
             where = draft.take(Side, "±", float(-self.left))
-            lowest = draw(cross, "B_0", arc, base.way, where, why=why.LOWEST)
+            if order.flat:
+                lowest = draw(touch, "B_0", own.pivot, base.way, where, why=why.LOWEST)
+            else:
+                arc = draw(strike, "(l)", own.pivot, self.lever)
+                lowest = draw(cross, "B_0", arc, base.way, where, why=why.LOWEST)
             begin = draw(join, "(O_1B_0)", own.pivot, lowest)
             travel = draw(
                 slant, "ψ", own.pivot, own.point, begin, sense=-self.left, unit="°", why=why.SWING
             )
-            lever = draw(join, "(O_1B)", own.pivot, own.point)
-            way = draw(square, "(t)", own.point, lever, sense=-self.left)
             line = own.guide
             if order.same_sense:
                 line = draw(parallel, "(OO_1)", contour.origin, line, sense=-1)
@@ -254,6 +295,9 @@ class _Page:
             ends = (own.instant, own.pivot)[:: -1 if order.same_sense else 1]
             rest = draw(measure_along, "O_1P", *ends, line, why=why.INSTANT)
             rate = draw(f.rate_of_lever, "ψ′_{P}", part, rest, unit="rad")
+            if not order.flat:
+                lever = draw(join, "(O_1B)", own.pivot, own.point)
+                way = draw(square, "(t)", own.point, lever, sense=-self.left)
         else:
             where = draft.take(Side, "±", 1.0)
             lowest = draw(cut, "B_0", own.guide, base.way, where, why=why.LOWEST)
@@ -264,7 +308,7 @@ class _Page:
             part = draw(measure_along, "OP", contour.origin, own.instant, across, why=why.INSTANT)
             rate = draw(f.transfer, "S′_{P}", part, contour.mu, unit="m")
             way = own.guide
-        if order.follower != FLAT:
+        if not order.flat:
             pressure = draw(
                 slant,
                 "α",

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.bounds import TaskError
-from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, FLAT_ROCKER, ROCKER, ArcTask, Flank
 from graphic_tmm.language.said import said
 
 TURN = 360.0
@@ -96,7 +96,7 @@ def _round(order: ArcTask) -> Lie:
     _refuse_follower(order)
     lowest, centre = 1j * (order.base + order.roller), -1j * order.distance
     begin = _angle(order, lowest, 1j)
-    if order.follower != FLAT:
+    if not order.flat:
         spots = centre + (lowest - centre) * np.exp(2j * np.pi * np.linspace(0.0, 1.0, 2 * PROBES))
         turned = [(_angle(order, complex(z), 1j) - begin) % TURN for z in spots[1:-1]]
         _refuse_turning_back(order, [0.0, *turned, TURN])
@@ -122,6 +122,11 @@ def _angle(order: ArcTask, centre: complex, normal: complex) -> float:
     """Return the angle of the cam at which the roller's centre (a flat face's normal) stands so."""
     if order.follower == FLAT:
         turned = cmath.phase(normal)
+    elif order.follower == FLAT_ROCKER:
+        assert order.centres is not None
+        far = (centre * normal.conjugate()).real
+        along = math.sqrt(max(order.centres**2 - far**2, 0.0))
+        turned = cmath.phase(complex(far, -along if order.same_sense else along) * normal)
     elif order.follower == ROCKER:
         assert order.lever is not None
         assert order.centres is not None
@@ -173,7 +178,7 @@ def _refuse_flank(order: ArcTask, flank: Flank, name: str) -> None:
         if flank.hollow:
             says = said("a straight flank is not hollow: write its radius, or leave hollow out")
             raise TaskError(at, "hollow", says)
-        if order.follower == FLAT:
+        if order.flat:
             says = said(
                 "a flat face would strike the straight flank all at once: take an arc, or a roller"
             )
@@ -191,7 +196,7 @@ def _refuse_flank(order: ArcTask, flank: Flank, name: str) -> None:
         raise TaskError(at, name, says)
     if not flank.hollow:
         return
-    if order.follower == FLAT:
+    if order.flat:
         says = said("a flat face does not reach a hollow flank: take a roller, or leave hollow out")
         raise TaskError(at, "hollow", says)
     if not flank.radius > order.roller:
@@ -213,10 +218,18 @@ def _refuse_follower(order: ArcTask) -> None:
             most=mm * low,
         )
         raise TaskError(at, "offset", says)
-    if order.follower != ROCKER:
+    if not order.rocks:
+        return
+    assert order.centres is not None
+    if order.follower == FLAT_ROCKER:
+        if not order.centres > high:
+            says = said(
+                "the nose would strike the lever's pivot: take centres more than {least:g} mm apart",
+                least=mm * high,
+            )
+            raise TaskError(at, "centres", says)
         return
     assert order.lever is not None
-    assert order.centres is not None
     least, most = abs(order.centres - order.lever), order.centres + order.lever
     if not (least < low and high < most):
         says = said(
@@ -255,7 +268,7 @@ def _refuse_turning_back(order: ArcTask, run: Sequence[float]) -> None:
 
 def _along(order: ArcTask, centres: tuple[complex, ...]) -> list[float]:
     """Return the angles of the cam at places along the path of the roller's centre, in their order."""
-    if order.follower == FLAT:
+    if order.flat:
         return []
     reach, nose = order.roller, -1j * order.distance
     ends = [(centres[0], centres[1]), (centres[1], centres[2]), (centres[2], centres[3])]

@@ -16,7 +16,6 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.arc_cam.contour import VIEW, Arc
 from graphic_tmm.chapters.arc_cam.formulas import line_on_arc, on_arc, turn_between
 from graphic_tmm.chapters.arc_cam.plan import ArcCam
-from graphic_tmm.chapters.arc_cam.task import FLAT
 from graphic_tmm.chapters.cam.ink import TURN, shaft
 from graphic_tmm.chapters.cam.operations import slant
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
@@ -136,7 +135,7 @@ def _ways(ink: _Ink) -> Iterator[Ink]:
     assert base.radius is not None
     whole = circle("thin", ink.fixed_place(base.centre), ink.fixed_number(base.radius))
     yield from body([whole], "circle", [base.centre, base.radius])
-    if ink.roller > 0.0:
+    if ink.roller > 0.0 and not ink.made.order.flat:
         yield from _pitch(ink)
     for one in contour.arcs.values():
         if one.centre is not None and one.name != "base" and ink.near(one.centre):
@@ -190,13 +189,18 @@ def _inverted(ink: _Ink) -> Iterator[Ink]:
             continue
         if pivots is not None and follower.pivots is not None:
             pivot = complex(pivots[k])
-            strokes: list[Ink] = [line("thin", pivot, at), circle("thin", pivot, 0.8)]
+            strokes: list[Ink] = [circle("thin", pivot, 0.8)]
+            if contacts is None:
+                strokes.append(line("thin", pivot, at))
             yield from body(strokes, "lever", [follower.pivots, follower.points], k)
         else:
             top = at + (ink.roller + BEYOND) * complex(ways[k])
             rod = [line("thin", complex(starts[k]), top)]
             yield from body(rod, "guide", [follower.guides, follower.points], k)
-        if contacts is not None and follower.contacts is not None:
+        if contacts is not None and follower.contacts is not None and pivots is not None:
+            face = _face(complex(pivots[k]), at, complex(contacts[k]), "thin")
+            yield from body(face, "face", [follower.points, follower.contacts], k)
+        elif contacts is not None and follower.contacts is not None:
             half = (abs(complex(contacts[k]) - at) + 2 * BEYOND) * 1j * complex(ways[k])
             face = [line("thin", at - half, at + half)]
             yield from body(face, "face", [follower.points, follower.contacts], k)
@@ -209,21 +213,34 @@ def _inverted(ink: _Ink) -> Iterator[Ink]:
         yield from body([circle("thin", 0j, abs(pivot))], "circle", [follower.pivots])
 
 
+def _face(pivot: complex, at: complex, contact: complex, pen: str) -> list[Ink]:
+    """Return the face of a lever through its contact, and the arm to it from the pivot."""
+    way, off = (at - pivot) / abs(at - pivot), contact - at
+    return [
+        line(pen, pivot + off, contact + 2 * BEYOND * way),
+        *([line(pen, pivot, pivot + off)] if abs(off) > LEAST else []),
+    ]
+
+
 def _lowest(ink: _Ink) -> Iterator[Ink]:
     """The follower in the first position in full."""
     follower, start = ink.made.follower, complex(ink.points[0])
     if not finite(start):
         return
-    of = [follower.points]
-    if ink.roller > 0.0:
+    of, flat = [follower.points], ink.made.order.flat
+    if ink.roller > 0.0 and not flat:
         pins: list[Ink] = [circle("main", start, ink.roller), circle("joint", start, PIN)]
         yield from body(pins, "roller", of, 0)
     if follower.pivots is not None:
         pivot = complex(ink.all(follower.pivots)[0])
-        strokes: list[Ink] = [line("main", pivot, start), *fixed_pivot(pivot)]
+        strokes: list[Ink] = [*fixed_pivot(pivot)]
+        if flat and follower.contacts is not None:
+            strokes += _face(pivot, start, complex(ink.all(follower.contacts)[0]), "main")
+            of.append(follower.contacts)
+        else:
+            strokes.append(line("main", pivot, start))
         yield from body(strokes, "lever", [follower.pivots, *of], 0)
         return
-    flat = ink.made.order.follower == FLAT
     if flat:
         wide = 0.5 * float(np.nanmax(np.abs(ink.points))) + BEYOND
         yield from body([line("main", start - wide, start + wide)], "face", of, 0)

@@ -18,8 +18,6 @@ from graphic_tmm.paper.symbols.kinematic import pole
 
 SHORTEST = 0.5
 """A shorter vector is a point, mm."""
-CENTRES = "cf"
-"""Images of arcs' centres begin so: they are the same in all positions of an arc."""
 CLOSE = 2.0
 """Images nearer than this, mm, share one label."""
 
@@ -62,8 +60,7 @@ def _vectors(seen: Seen, start: Mark, one: Vectors, k: int, mu: float) -> Iterat
 
 
 def _points(seen: Seen, one: Vectors, k: int, name: str) -> Iterator[Named]:
-    for mark in (one.crank, one.own, one.lever, one.end):
+    for mark, letter in zip(one[:4], one.letters, strict=True):
         if mark is not None:
-            fixed = mark is one.crank and mark.name[0] in CENTRES
-            text = mark.name if fixed else markup(mark.name.partition("_")[0], name)
+            text = letter if mark is one.crank and one.fixed else markup(letter, name)
             yield Named(seen.point(mark, k), text, (mark.slot,), k)

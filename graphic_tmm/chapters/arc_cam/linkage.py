@@ -36,7 +36,7 @@ from graphic_tmm.chapters.arc_cam.contour import Arc
 from graphic_tmm.chapters.arc_cam.formulas import on_arc, while_on
 from graphic_tmm.chapters.arc_cam.geometry import ARCS, SAME
 from graphic_tmm.chapters.arc_cam.plan import ArcCam
-from graphic_tmm.chapters.arc_cam.task import CHANGES, FLAT
+from graphic_tmm.chapters.arc_cam.task import CHANGES
 
 VELOCITIES, ACCELERATIONS = "arc cam velocities", "arc cam accelerations"
 
@@ -44,15 +44,19 @@ VELOCITIES, ACCELERATIONS = "arc cam velocities", "arc cam accelerations"
 class Vectors(NamedTuple):
     """A plan of an arc: points from its pole on, as crank, rod or slot, and follower lead to them.
 
-    ``crank``: k; ``own``: behind the normal part, or that of Coriolis, None without one; ``end``: b; ``lever``:
-    behind the normal part of a lever. ``part``: kb along its line (Length), of velocities.
+    ``crank``: k, ``fixed`` if it is the same in all positions; ``own``: behind the normal part, or that of
+    Coriolis, None without one; ``lever``: behind the normal part of a lever; ``end``: b. ``letters`` of these
+    four. Of velocities, ``part``: kb along its line, ``swing``: pb square to a lever with a slot (Length).
     """
 
     crank: Mark
+    own: Mark | None
+    lever: Mark | None
     end: Mark
-    own: Mark | None = None
-    lever: Mark | None = None
+    letters: tuple[str, str, str, str]
+    fixed: bool
     part: Mark | None = None
+    swing: Mark | None = None
 
 
 class Linkage(NamedTuple):
@@ -82,7 +86,7 @@ class Plans(NamedTuple):
 class _Bars(NamedTuple):
     """The linkage as it stands on the contour: crank OK and its length, normal or slot, length of the rod.
 
-    ``image``: the letter of the crank's end on a plan of vectors.
+    ``image``: the letter of the crank's end on a plan of vectors; ``pin``: K; ``way`` of what follows.
     """
 
     image: tuple[str, str]
@@ -90,6 +94,8 @@ class _Bars(NamedTuple):
     length: Mark
     along: Mark
     rod: Mark | None
+    pin: Mark
+    way: _Way
 
 
 class _Way(NamedTuple):
@@ -108,7 +114,7 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
     scales = [draft.scale("μ_{v/ω}", "m/mm")]
     draft.lay_out(poles[0])
     plans = _Plans(draft, made, poles, scales)
-    bars, velocities = {}, {}
+    bars, velocities = plans.bars_of, dict[str, Vectors]()
     for k, name in enumerate(ARCS):
         start, end = changes[k : k + 2]
         on = (shares > start - SAME) & (shares < end + SAME)
@@ -145,7 +151,7 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
         linkages,
         first,
         (before, behind),
-        tuple(shown(made, names)),
+        tuple(_drawn_at(made, names)),
         names,
     )
 
@@ -159,7 +165,7 @@ class _Plans:
 
     def __init__(self, draft: Draft, made: ArcCam, poles: list[Mark], scales: list[Mark]) -> None:
         self.draft, self.made, self.poles, self.scales = draft, made, poles, scales
-        self.flat = made.order.follower == FLAT
+        self.flat, self.bars_of = made.order.flat, dict[str, _Bars]()
         follower = made.follower
         if follower.pivots is None:
             self.way = _Way(follower.guides)
@@ -178,12 +184,24 @@ class _Plans:
         letter, _, number = pin.name.lower().partition("_")
         image = ("q", "") if arc.centre is None else (letter, number and f"_{number}")
         pin = draw(while_on, f"{pin.name}′", pin, at, free=True)
-        if self.flat:
-            along, rod = draw(square, "(f)", pin, self.way.line, sense=1, why=why.YOKE), None
+        way = self.way
+        if self.flat and way.arm is not None:
+            along, rod = draw(parallel, "(f)", pin, way.line, why=why.YOKE), None
+            way = self._lever_to(pin)
+        elif self.flat:
+            along, rod = draw(square, "(f)", pin, way.line, sense=1, why=why.YOKE), None
         elif arc.centre is not None:
             along = draw(join, f"({arc.centre.name}B)", pin, self.made.follower.points)
         crank = draw(join, f"(O{pin.name})", origin, pin, why=why.LINKAGE)
-        return _Bars(image, crank, draw(measure, f"O{pin.name}", origin, pin), along, rod)
+        long = draw(measure, f"O{pin.name}", origin, pin)
+        return _Bars(image, crank, long, along, rod, pin, way)
+
+    def _lever_to(self, pin: Mark) -> _Way:
+        """Draw the line from the lever's pivot to the point that slides in its slot."""
+        pivots = self.made.follower.pivots
+        assert pivots is not None
+        line = self.draft.draw(join, f"(O_1{pin.name})", pivots, pin, why=why.YOKE)
+        return _Way(line, self.draft.draw(measure, f"O_1{pin.name}", pivots, pin))
 
     def _crank(self, bars: _Bars, letter: str, line: Mark) -> Mark:
         """Lay the crank's vector off on its line."""
@@ -195,21 +213,24 @@ class _Plans:
 
     def velocities(self, bars: _Bars, index: str) -> Vectors:
         """Draw the plan of velocities on an arc."""
-        draw, pole, way = self.draft.draw, self.poles[0], self.way
+        draw, pole, way = self.draft.draw, self.poles[0], bars.way
         turned = draw(square, "(pk)", pole, bars.crank, sense=self.made.sense)
         crank = self._crank(bars, "".join(bars.image), turned)
         across = parallel if bars.rod is None else square
-        line = draw(across, f"({crank.name}b)", crank, bars.along, why=why.TURNS_OR_SLIDES)
+        line = draw(across, f"({crank.name}b)", crank, bars.along, sense=1, why=why.TURNS_OR_SLIDES)
         op = parallel if way.arm is None else square
-        moves = draw(op, "(pb)", pole, way.line, why=why.MOVES)
+        moves = draw(op, "(pb)", pole, way.line, sense=1, why=why.MOVES)
         end = draw(meet, f"b_{index}", line, moves, free=True, why=why.BOTH)
-        part = draw(measure_along, f"{crank.name}b", crank, end, line)
-        return Vectors(crank, end, part=part)
+        part, swing = draw(measure_along, f"{crank.name}b", crank, end, line), None
+        if self.flat and way.arm is not None:
+            swing = draw(measure_along, f"pb_{index}", pole, end, moves)
+        letters, fixed = ("".join(bars.image), "", "", "b"), bars.rod is not None or self.flat
+        return Vectors(crank, None, None, end, letters, fixed, part, swing)
 
     def accelerations(self, bars: _Bars, known: Vectors, index: str) -> Vectors:
         """Draw the plan of accelerations on an arc whose velocities are ``known``."""
         draw, pole, (mu_v, mu_a) = self.draft.draw, self.poles[1], self.scales
-        mu_l, way = self.made.contour.mu, self.way
+        mu_l, way = self.made.contour.mu, bars.way
         inward = draw(parallel, "(πk′)", pole, bars.crank, sense=-1)
         crank, own = self._crank(bars, "′".join(bars.image), inward), None
         assert known.part is not None
@@ -218,13 +239,18 @@ class _Plans:
             size = draw(normal, f"n_{index}", known.part, mu_v, bars.rod, mu_l, mu_a)
             back = draw(parallel, f"(k′n_{index})", crank, bars.along, sense=-1, why=why.ROD)
             start, op = draw(lay_off, f"n_{index}", back, size, free=True, why=why.ROD), square
-        elif not self.flat:
-            one = self.draft.constant("", 1.0, "")
-            size = draw(coriolis, "k_{B}", one, known.part, mu_v, mu_a)
-            turned = draw(square, "(q′k)", crank, bars.along, sense=self.made.sense)
+        elif way.arm is not None or not self.flat:
+            if known.swing is None:
+                turns, sense = self.draft.constant("", 1.0, ""), self.made.sense
+            else:
+                assert way.arm is not None
+                turns = draw(rate, "ψ′", known.swing, mu_v, way.arm, mu_l, unit="rad")
+                sense = 1
+            size = draw(coriolis, "k_{B}", turns, known.part, mu_v, mu_a)
+            turned = draw(square, f"({crank.name}k)", crank, bars.along, sense=sense)
             start = draw(lay_off, f"k_{index}", turned, size, free=True)
         own = start if start is not crank else None
-        line = draw(op, f"(n_{index}b′)", start, bars.along, why=why.TURNS_OR_SLIDES)
+        line = draw(op, f"(n_{index}b′)", start, bars.along, sense=1, why=why.TURNS_OR_SLIDES)
         foot, lever = pole, None
         if way.arm is not None:
             part = draw(measure, f"pb_{index}", self.poles[0], known.end)
@@ -232,9 +258,18 @@ class _Plans:
             inward = draw(parallel, "(πm)", pole, way.line, sense=-1, why=why.LEVER)
             lever = foot = draw(lay_off, f"m_{index}", inward, size, free=True, why=why.LEVER)
         across = parallel if way.arm is None else square
-        moves = draw(across, "(πb′)", foot, way.line, why=why.MOVES)
+        moves = draw(across, "(πb′)", foot, way.line, sense=1, why=why.MOVES)
         end = draw(meet, f"b′_{index}", line, moves, free=True, why=why.BOTH)
-        return Vectors(crank, end, own, lever)
+        letters = ("′".join(bars.image), "k" if bars.rod is None else "n", "m", "b′")
+        return Vectors(crank, own, lever, end, letters, known.fixed)
+
+    def _slotted(self, pick: dict[str, Reals]) -> _Way:
+        """Put together the lines from a lever's pivot to what slides in its slot, arc by arc."""
+        pin = self.made.follower.points
+        for k, (name, one) in enumerate(self.bars_of.items(), start=1):
+            at = self.draft.take(Number, "σ", pick[name])
+            pin = self.draft.draw(on_arc, f"K_{{1–{k}}}", one.pin, pin, at, free=True)
+        return self._lever_to(pin)
 
     def read(self, found: dict[str, Vectors], pick: dict[str, Reals], letter: str) -> Mark:
         """Put the arcs together, and read what the follower does; on the base circle both ends are the pole.
@@ -243,6 +278,8 @@ class _Plans:
         """
         draw, pole, way = self.draft.draw, self.poles[-1], self.way
         start = end = pole
+        if self.flat and way.arm is not None:
+            way = self._slotted(pick)
         whole = "b" if pole is self.poles[0] else "b′"
         last = [*found][-1]
         for k, (name, one) in enumerate(found.items(), start=1):
@@ -262,7 +299,7 @@ class _Plans:
         return draw(rate, letter.replace("S", "ψ"), part, mu, way.arm, mu_l, unit="rad")
 
 
-def shown(made: ArcCam, names: Sequence[str]) -> list[int]:
+def _drawn_at(made: ArcCam, names: Sequence[str]) -> list[int]:
     """Return the positions (indices) whose plans are drawn; a change of arcs may be one of the row."""
     asked = made.order.accelerations
     turned = np.array(made.angles) + made.lie.changes[0]

@@ -13,7 +13,7 @@ from graphic_tmm.chapters.arc_cam.contour import VIEW
 from graphic_tmm.chapters.arc_cam.linkage import ACCELERATIONS, VELOCITIES
 from graphic_tmm.chapters.arc_cam.plan import VIEWS, ArcCam
 from graphic_tmm.chapters.arc_cam.record import BESIDE
-from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER
+from graphic_tmm.chapters.arc_cam.task import FLAT, FLAT_ROCKER, ROCKER
 from graphic_tmm.chapters.arc_cam.views import arc_views
 from graphic_tmm.language.said import said
 from graphic_tmm.note.document import Block, Number, Runs
@@ -70,6 +70,16 @@ ROCKER_STEPS = (
     ),
     said("the swing ψ is the angle of the lever from its place on the base circle."),
 )
+FLAT_ROCKER_STEPS = (
+    ROCKER_STEPS[0],
+    said(
+        "from the pivot the tangent is drawn to the circle about the centre of the arc that is touched, of the "
+        "arc's radius and the face's distance from the pivot: it is the lever's line; square to it, through "
+        "the arc's centre, the face touches;"
+    ),
+    ROCKER_STEPS[2],
+)
+STEPS = {FLAT: FLAT_STEPS, ROCKER: ROCKER_STEPS, FLAT_ROCKER: FLAT_ROCKER_STEPS}
 WORKED = said("In position {position} (φ = {angle}) it is {travel}.")
 CHORDS = said(
     "The displacements are laid off over the angle of the cam; the diagram is differentiated twice by chords, "
@@ -146,7 +156,7 @@ class ArcCamPage(Page[ArcCam]):
         yield from self.formulas(VIEW, f.inside, f.outside)
         yield from self.leads(self.figures(contour))
         yield self.head(MOTION)
-        yield self.steps({FLAT: FLAT_STEPS, ROCKER: ROCKER_STEPS}.get(order.follower, ROLLER_STEPS))
+        yield self.steps(STEPS.get(order.follower, ROLLER_STEPS))
         travel = self.number(self.recorded.follower.travel)
         yield self.says(WORKED, angle=self._angle(), travel=travel)
         yield from self._diagrams(graphs)
@@ -158,7 +168,7 @@ class ArcCamPage(Page[ArcCam]):
         for view in (VIEWS["V"], VIEWS["A"]):
             yield from self.formulas(view, pole_distance)
         yield from self.leads(self.figures(*graphs))
-        yield self.says(PIVOTS if self.recorded.order.follower == ROCKER else INSTANT)
+        yield self.says(PIVOTS if self.recorded.order.rocks else INSTANT)
         yield from self.worked_out(self.recorded.follower.rate)
         yield self.says(SECOND)
         yield from self.leads(self.figures(VELOCITIES, ACCELERATIONS))

@@ -18,7 +18,7 @@ from graphic_tmm.chapters.arc_cam import formulas as f
 from graphic_tmm.chapters.arc_cam.contour import Contour, draw_contour
 from graphic_tmm.chapters.arc_cam.follower import Follower, draw_follower
 from graphic_tmm.chapters.arc_cam.geometry import SAME, Lie, lie
-from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ASKED, CHANGES, ROCKER, ArcTask
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ASKED, CHANGES, ArcTask
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
 
@@ -103,7 +103,7 @@ def _changes(where: Lie, parts: int) -> dict[str, float]:
 
 def _diagrams(draft: Draft, order: ArcTask, follower: Follower, base: Base) -> dict[str, Chart]:
     """Lay S off over the turn and differentiate it twice by chords."""
-    rocks = order.follower == ROCKER
+    rocks = order.rocks
     unit = "rad" if rocks else "m"
     draft.open(VIEWS["S"])
     mu = draft.scale("μ_S", f"{unit}/mm")

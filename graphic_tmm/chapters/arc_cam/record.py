@@ -14,7 +14,7 @@ from graphic_tmm.chapters.arc_cam import words as why
 from graphic_tmm.chapters.arc_cam.contour import Contour
 from graphic_tmm.chapters.arc_cam.linkage import Plans, draw_plans
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, LETTERS, marks, record
-from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ROCKER
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
 
@@ -59,7 +59,7 @@ def record_beside(bench: Bench) -> Aside:
     )
     if made.order.speed is None:
         return Aside(plans, (rate, second), centres)
-    rocks = made.order.follower == ROCKER
+    rocks = made.order.rocks
     omega = draft.take(Number, "ω_1", made.order.speed, "1/s")
     letters, unit = (("ω_{B}", "ε_{B}"), "1/s") if rocks else (("v_{B}", "a_{B}"), "m/s")
     velocity = draft.draw(f.velocity, letters[0], omega, plans.first, unit=unit)

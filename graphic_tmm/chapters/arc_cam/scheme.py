@@ -13,7 +13,7 @@ from typing import NamedTuple
 from graphic_tmm.board.scales import LENGTHS, standard_length
 from graphic_tmm.chapters.arc_cam.geometry import centre_of, normals
 from graphic_tmm.chapters.arc_cam.ink import DOT, PIN, from_to, rod
-from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ArcTask, Flank
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
@@ -195,7 +195,7 @@ def _follower(cam: _Placed) -> Iterator[Part]:
     """Yield the follower in its lowest position, with what is given of it."""
     order, reach = cam.order, cam.order.base + cam.order.roller
     roller = cam.length(order.roller)
-    if order.follower == ROCKER:
+    if order.rocks:
         yield from _rocker(cam, reach, roller)
         return
     at = cam.spot(complex(-order.offset, math.sqrt(reach**2 - order.offset**2)))
@@ -223,14 +223,35 @@ def _roller(cam: _Placed, at: complex, radius: float) -> Iterator[Part]:
 def _rocker(cam: _Placed, reach: float, roller: float) -> Iterator[Part]:
     """Yield the lever on its pivot above the cam."""
     order = cam.order
-    assert order.lever is not None
     assert order.centres is not None
+    pivot = cam.spot(1j * order.centres)
+    if order.lever is None:
+        yield from _tilted(cam, reach, order.centres)
+        return
     cosine = (order.centres**2 + reach**2 - order.lever**2) / (2.0 * order.centres * reach)
     between = math.acos(min(1.0, max(-1.0, cosine))) * (1.0 if order.same_sense else -1.0)
     at = cam.spot(reach * cmath.rect(1.0, math.pi / 2.0 + between))
-    pivot = cam.spot(1j * order.centres)
     told = Wanted("l", (pivot + at) / 2, SIZE, 1.0)
     yield Part("lever", (line("main", pivot, at), *fixed_pivot(pivot)), (told,))
     yield from _roller(cam, at, roller)
     own = (Wanted("a", 0.75 * pivot, SIZE, 0.8, complex(-(at - pivot).real)),)
     yield Part("dimension", (line("thin", 0j, pivot),), own)
+
+
+def _tilted(cam: _Placed, reach: float, centres: float) -> Iterator[Part]:
+    """Yield a lever with a flat face; ``reach``: how far its line passes the cam's centre by."""
+    order, side = cam.order, -1.0 if cam.order.same_sense else 1.0
+    normal = cmath.rect(1.0, math.asin(reach / centres))
+    normal = complex(side * normal.real, normal.imag)
+    contact = order.base * normal
+    foot = cam.spot(1j * centres - order.roller * normal)
+    pivot, touch = cam.spot(1j * centres), cam.spot(contact)
+    strokes = [line("main", foot, touch + (touch - foot) * 0.3), *fixed_pivot(pivot)]
+    if order.roller:
+        strokes.append(line("main", pivot, foot))
+    yield Part("lever", tuple(strokes))
+    aside = complex(-cam.sense * side)
+    told = [Wanted("a", 0.75 * pivot, SIZE, 0.8, aside)]
+    if order.roller:
+        told.append(Wanted("l_{f}", (pivot + foot) / 2, SIZE, 0.8, 1j))
+    yield Part("dimension", (line("thin", 0j, pivot),), tuple(told))

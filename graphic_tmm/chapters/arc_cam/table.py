@@ -9,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, marks
 from graphic_tmm.chapters.arc_cam.record import BESIDE
-from graphic_tmm.chapters.arc_cam.task import ARC_CAM, ROCKER
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 
@@ -23,7 +23,7 @@ def arc_columns(drawn: Drawn) -> tuple[Column, ...]:
     """
     made, reading = ARC_CAM_PLAN.on(drawn), drawn.reading
     count, follower = len(made.angles), made.follower
-    motion = "rad" if made.order.follower == ROCKER else "m"
+    motion = "rad" if made.order.rocks else "m"
     charts = dict(zip(marks(made), made.charts.values(), strict=True))
     beside = BESIDE.on(drawn)
     plans, found = beside.plans, list[Column]()

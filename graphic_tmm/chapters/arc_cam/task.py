@@ -26,7 +26,7 @@ STRAIGHT = "straight"
 """The flank of infinite radius: a tangent to both circles."""
 CHANGES = ("I", "II")
 """What positions are called at which the follower goes onto the nose and off it."""
-ROLLER, FLAT, ROCKER = "roller", "flat", "rocker"
+ROLLER, FLAT, ROCKER, FLAT_ROCKER = "roller", "flat", "rocker", "flat rocker"
 
 
 @dataclass(frozen=True)
@@ -84,12 +84,13 @@ class ArcTask:
     Lengths in m, drawn ones in mm. ``base`` r1; ``nose`` r2, 0 for a sharp one; ``distance`` d of the nose's
     centre from the cam's. An ``eccentric`` is a nose all round: one circle about its centre, which the base
     circle touches from inside. ``follower``: "roller" on a rod (``offset`` e, positive to the side that lessens
-    the pressure angle of the rise), "flat" face square to its rod, or a "rocker" with a roller (``lever`` l,
-    ``centres`` a; ``same_sense``: on the rise it turns as the cam does). ``roller`` r: 0 for an edge. The angle
-    of the cam is counted from where the follower begins to rise; that over which it moves is divided into
-    ``parts``. ``accelerations``: positions whose plans of the replacing linkage are drawn. ``length``: of the
-    diagrams' base; ``mu_l`` of the contour (m/mm), if not a standard one. ``speed``: of the cam (1/s), if
-    velocities and accelerations are wanted.
+    the pressure angle of the rise), "flat" face square to its rod, a "rocker" with a roller (``lever`` l,
+    ``centres`` a; ``same_sense``: on the rise it turns as the cam does), or a "flat rocker": a lever with a
+    flat face. ``roller`` r: 0 for an edge; of a flat rocker how far its face stands from the line through its
+    pivot, which goes round the contour at that distance. The angle of the cam is counted from where the
+    follower begins to rise; that over which it moves is divided into ``parts``. ``accelerations``: positions
+    whose plans of the replacing linkage are drawn. ``length``: of the diagrams' base; ``mu_l`` of the contour
+    (m/mm), if not a standard one. ``speed``: of the cam (1/s), if velocities and accelerations are wanted.
     """
 
     base: float = combined_key(
@@ -127,8 +128,20 @@ class ArcTask:
             _FLANK, "the radius of the flank of the return, if it is another", "80 mm", None
         ),
     )
-    follower: str = key(v.choice(ROLLER, FLAT, ROCKER), "what follows the cam", ROLLER, ROLLER)
-    roller: float = key(_LEAST, "the radius of the roller; 0 for an edge", "10 mm", 0.0)
+    follower: str = key(
+        v.choice(ROLLER, FLAT, ROCKER, FLAT_ROCKER), "what follows the cam", ROLLER, ROLLER
+    )
+    roller: float = combined_key(
+        lambda said: said.face if said.follower == FLAT_ROCKER else said.roller,
+        0.0,
+        roller=key(_LEAST, "the radius of the roller; 0 for an edge", "10 mm", 0.0),
+        face=key(
+            _LEAST,
+            "how far the face of a flat rocker stands from its pivot, to the cam",
+            "5 mm",
+            0.0,
+        ),
+    )
     offset: float = key(v.LENGTH, "offset of the roller's guide", "5 mm", 0.0)
     lever: float | None = key(v.POSITIVE_LENGTH, "length of the rocker's lever", "60 mm", None)
     centres: float | None = key(
@@ -167,6 +180,16 @@ class ArcTask:
     )
     eccentric: bool = combined_key(_eccentric, False)
 
+    @property
+    def rocks(self) -> bool:
+        """Whether the follower is a lever."""
+        return self.follower in (ROCKER, FLAT_ROCKER)
+
+    @property
+    def flat(self) -> bool:
+        """Whether the follower has a flat face."""
+        return self.follower in (FLAT, FLAT_ROCKER)
+
 
 ASKED: SectionKey[ArcTask] = SectionKey("arc_cam")
 
@@ -175,13 +198,18 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section: keys of another cam or follower, what is missing, positions."""
     at, told = ASKED.section, parts.doc[ASKED.section]
     yield from _sizes(cam, told)
-    for name in ("lever", "centres"):
-        if cam.follower == ROCKER and getattr(cam, name) is None:
+    rocks = {"lever": {ROCKER}, "centres": {ROCKER, FLAT_ROCKER}}
+    for name, own in rocks.items():
+        if cam.follower in own and getattr(cam, name) is None:
             yield Flaw((at, name), said('a rocker needs it; write, for example, "80 mm"'))
-    others = {"lever": ROCKER, "centres": ROCKER, "sense": ROCKER, "offset": ROLLER}
-    foreign = [name for name, own in others.items() if name in told and cam.follower != own]
-    if cam.follower == FLAT and cam.roller:
-        foreign.append("roller")
+    others = {
+        **rocks,
+        "sense": rocks["centres"],
+        "offset": {ROLLER},
+        "roller": {ROLLER, ROCKER},
+        "face": {FLAT_ROCKER},
+    }
+    foreign = [name for name, own in others.items() if name in told and cam.follower not in own]
     for name in foreign:
         says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
         yield Flaw((at, name), says)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.arc_cam.scheme import scheme
-from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, ROCKER, ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, FLAT_ROCKER, ROCKER, ArcTask, Flank
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet, given_speed
@@ -50,6 +50,13 @@ def _follower(order: ArcTask) -> Iterator[Given]:
 def _what_follows(order: ArcTask) -> Iterator[Given]:
     if order.follower == FLAT:
         yield Given("given follower", "given face")
+        return
+    if order.follower == FLAT_ROCKER:
+        assert order.centres is not None
+        yield Given("given follower", "given flat rocker")
+        yield Given("a", order.centres, SIZE)
+        if order.roller:
+            yield Given("l_f", order.roller, SIZE)
         return
     if order.roller:
         yield Given("r", order.roller, SIZE)

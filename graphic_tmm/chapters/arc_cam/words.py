@@ -25,6 +25,7 @@ CAPTIONS: dict[str, str] = {
     "given flank of the return": said("Flank of the return"),
     "given hollow": said("hollow"),
     "given face": said("flat face"),
+    "given flat rocker": said("lever with a flat face"),
     "given edge": said("edge"),
     "given follower": said("Follower"),
     "symbol arc S": "S",
@@ -64,6 +65,7 @@ SYMBOLS = (
     ("r_2", said("radius of the nose"), "m"),
     ("d", said("distance of the nose's centre"), "m"),
     ("R", said("radius of the eccentric"), "m"),
+    ("l_f", said("distance of the face from the lever's pivot"), "m"),
     ("e_C", said("eccentricity"), "m"),
     ("S′_P", said("dS/dφ by the instant centre"), "m"),
     ("S′_K", said("dS/dφ by the replacing linkage"), "m"),
@@ -122,6 +124,10 @@ ON_STRAIGHT = said(
 FACE = said(
     "A flat face touches an arc where the arc's normal is its own: on the parallel to the rod through the "
     "arc's centre."
+)
+FACE_OF_LEVER = said(
+    "A flat face touches an arc square to the arc's normal; the parallel to it through the pivot touches the "
+    "circle about the same centre whose radius is larger by the face's distance from the pivot."
 )
 LOWEST = said("On the base circle the follower is at its lowest.")
 TRAVEL = said("What the follower has risen by is measured from its lowest place, along its way.")

@@ -11,13 +11,13 @@ import mpmath
 import numpy as np
 import pytest
 from mpmath import mp
-from support.arc_cams import FLANKS, KINDS, random_order
+from support.arc_cams import FLANKS, FLATS, KINDS, random_order
 
 import graphic_tmm
 from graphic_tmm.board.execute import execute
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN
 from graphic_tmm.chapters.arc_cam.record import BESIDE
-from graphic_tmm.chapters.arc_cam.task import ARC_CAM, FLAT, ROCKER, ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.task import ARC_CAM, FLAT, FLAT_ROCKER, ROCKER, ArcTask, Flank
 from graphic_tmm.project import record
 from graphic_tmm.scene.records import Scene
 
@@ -47,7 +47,7 @@ def motion(order: ArcTask, flank: Flank | None, side: int) -> list[Motion]:
 
     if order.follower == FLAT:
         return [lambda phi: (centre * mp.conj(way(phi))).real + reach]
-    if order.follower == ROCKER:
+    if order.follower in (ROCKER, FLAT_ROCKER):
         return _swings(order, lambda phi: _triangle(order, centre, reach, way(phi)))
 
     def rod(phi: Any) -> Any:
@@ -59,8 +59,10 @@ def motion(order: ArcTask, flank: Flank | None, side: int) -> list[Motion]:
 
 def _triangle(order: ArcTask, centre: Any, reach: Any, way: Any) -> tuple[Any, Any]:
     """At the lever's pivot: the angle from O to the arc's centre, and from there to the roller's centre."""
-    pivot, arm = order.centres * way, mp.mpf(order.lever)
+    pivot, arm = order.centres * way, mp.mpf(order.lever or 0)
     far = abs(centre - pivot)
+    if order.follower == FLAT_ROCKER:
+        return mp.arg((centre - pivot) / -way), mp.asin(reach / far)
     return mp.arg((centre - pivot) / -way), mp.acos((arm**2 + far**2 - reach**2) / (2 * arm * far))
 
 
@@ -91,6 +93,8 @@ def _straight(order: ArcTask, side: int) -> list[Motion]:
 def lowest(order: ArcTask) -> Any:
     """The follower's place on the base circle."""
     reach = mp.mpf(order.base) + mp.mpf(order.roller)
+    if order.follower == FLAT_ROCKER:
+        return mp.asin(reach / mp.mpf(order.centres))
     if order.follower == ROCKER:
         a, arm = mp.mpf(order.centres), mp.mpf(order.lever)
         return mp.acos((a**2 + arm**2 - reach**2) / (2 * a * arm))
@@ -113,7 +117,7 @@ CASES = [
     (kind, flank)
     for kind in KINDS
     for flank in FLANKS
-    if not (kind == "flat" and flank in ("straight", "hollow"))
+    if not (kind in FLATS and flank in ("straight", "hollow"))
 ]
 
 
@@ -130,7 +134,7 @@ def test_on_both_sides_of_every_change_the_linkage_gives_the_derivatives(
     given |= dict(zip(plans.scales, (0.0003, 0.0007), strict=True))
     reading = execute(project.construction, given)
     travel = reading[made.follower.travel][0]
-    rocks = order.follower == ROCKER
+    rocks = order.rocks
     travel = np.radians(travel) if rocks else travel * reading[made.contour.mu][0, 0]
     first, onto, off, last = (change - made.lie.changes[0] for change in made.lie.changes)
     arcs = ((order.rise, 1, first, onto), (None, 0, onto, off), (order.fall, -1, off, last))

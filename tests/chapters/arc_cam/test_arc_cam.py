@@ -8,18 +8,18 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from support.arc_cams import FLANKS, KINDS, contour, drawn, lowest, place, random_order
+from support.arc_cams import FLANKS, FLATS, KINDS, contour, drawn, lowest, place, random_order
 from support.each import each
 
 from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.chapters.arc_cam.geometry import lie
-from graphic_tmm.chapters.arc_cam.task import FLAT, ROCKER, ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.task import FLAT, FLAT_ROCKER, ROCKER, ArcTask, Flank
 
 CASES = [
     (kind, flank)
     for kind in KINDS
     for flank in FLANKS
-    if not (kind == "flat" and flank in ("straight", "hollow"))
+    if not (kind in FLATS and flank in ("straight", "hollow"))
 ]
 FINE = 4000
 """Points of each circle: they lie up to 1/8·(2π/4000)² = 3·10⁻⁷ of a radius inside their chords."""
@@ -28,9 +28,12 @@ FINE = 4000
 def near(order: ArcTask) -> float:
     """How far the follower lowered onto the points may be off (m, or rad)."""
     sagitta = 0.125 * (2 * math.pi / FINE) ** 2 * (order.distance + order.nose)
-    size = order.lever if order.follower == ROCKER else 1.0
-    assert size is not None
-    return 20.0 * sagitta / size
+    return 20.0 * sagitta / arm(order)
+
+
+def arm(order: ArcTask) -> float:
+    """About how far a lever's pivot stands from what it touches, m; 1 for a follower that slides."""
+    return order.lever or (0.8 * order.centres if order.centres else 1.0)
 
 
 @pytest.mark.parametrize(("kind", "flank"), CASES)
@@ -40,10 +43,10 @@ def test_the_follower_stands_where_it_touches_the_contour(kind: str, flank: str)
     begin, lines = made.lie.changes[0], contour(order, FINE)
     due = np.array([place(order, begin + angle, lines) for angle in made.angles]) - lowest(order)
     found = reading[made.follower.travel][0]
-    found = np.radians(found) if kind in ("against", "along") else found * _mu(made, reading)
+    found = np.radians(found) if order.rocks else found * _mu(made, reading)
     assert np.isfinite(found).all()
     assert np.abs(found - due).max() < near(order)
-    assert due.max() > 0.3 * (order.distance + order.nose - order.base) / (order.lever or 1.0)
+    assert due.max() > 0.3 * (order.distance + order.nose - order.base) / arm(order)
 
 
 def _mu(made, reading) -> float:  # type: ignore[no-untyped-def]
@@ -57,7 +60,7 @@ def test_the_instant_centre_tells_the_derivative(kind: str, flank: str) -> None:
     """Against the difference of two places a little apart; not where the follower goes from arc to arc."""
     order = random_order(random.Random(f"{kind} {flank} rate"), kind, flank)
     made, _, reading = drawn(order)
-    rocks, lines = kind in ("against", "along"), contour(order, 5_000)
+    lines = contour(order, 5_000)
     found = np.broadcast_to(reading[made.follower.rate], (1, len(made.angles)))[0]
     begin, step = made.lie.changes[0], 1.0
     changes = [angle - begin for angle in made.lie.changes]
@@ -67,7 +70,7 @@ def test_the_instant_centre_tells_the_derivative(kind: str, flank: str) -> None:
             continue
         ends = [place(order, begin + angle + way * step / 2, lines) for way in (-1, 1)]
         due = (ends[1] - ends[0]) / math.radians(step)
-        scale = order.distance / (order.lever if rocks and order.lever else 1.0)
+        scale = order.distance / arm(order)
         assert rate == pytest.approx(due, abs=3e-3 * scale)
         tried += 1
     assert tried > 10
@@ -133,6 +136,8 @@ REFUSED = (
     ("offset", {"offset": -0.031}, "less than 30 mm"),
     ("lever", {"follower": ROCKER, "lever": 0.02, "centres": 0.07}, "change lever or centres"),
     ("centres", {"follower": ROCKER, "lever": 0.045, "centres": 0.0279}, "more than 28 mm"),
+    ("centres", {"follower": FLAT_ROCKER, "centres": 0.0379}, "more than 38 mm"),
+    ("flank", {"rise": Flank(None), "follower": FLAT_ROCKER, "centres": 0.08}, "take an arc"),
 )
 
 

@@ -21,7 +21,15 @@ from graphic_tmm.chapters.arc_cam.ink import TRACELESS, ArcNames, draw_contour_i
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN
 from graphic_tmm.chapters.arc_cam.record import BESIDE
 from graphic_tmm.chapters.arc_cam.scheme import scheme
-from graphic_tmm.chapters.arc_cam.task import ARC_CAM, FLAT, ROCKER, ROLLER, ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.task import (
+    ARC_CAM,
+    FLAT,
+    FLAT_ROCKER,
+    ROCKER,
+    ROLLER,
+    ArcTask,
+    Flank,
+)
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.seen import Subject
@@ -39,6 +47,9 @@ def eccentric(draw: random.Random, kind: str) -> ArcTask:
     roller = draw.uniform(0.2, 0.5) * radius
     if kind == "flat":
         return replace(order, follower=FLAT)
+    if kind.startswith("tilted"):
+        size = {"centres": 3.6 * radius, "same_sense": kind.endswith("along")}
+        return replace(order, follower=FLAT_ROCKER, roller=0.3 * roller, **size)
     if kind in ("against", "along"):
         size = {"lever": 3.0 * radius, "centres": 3.6 * radius, "same_sense": kind == "along"}
         return replace(order, follower=ROCKER, roller=roller, **size)
@@ -58,7 +69,7 @@ def test_its_follower_stands_where_it_touches_the_circle(kind: str, seed: int) -
     travel, lines, rest = reading[made.follower.travel][0], contour(order), lowest(order)
     for k in range(0, 25, 3):
         height = place(order, made.lie.changes[0] + made.angles[k], lines)
-        if order.follower == ROCKER:
+        if order.rocks:
             assert math.radians(travel[k]) == pytest.approx(height - rest, abs=2e-5)
         else:
             due = height - rest
@@ -77,7 +88,9 @@ def loop(order: ArcTask, gamma: mpmath.mpf) -> mpmath.mpf:
     # the lever lies on the side to which the cam's top goes, or on the other
     side = -1 if order.same_sense else 1
     across, down = e * mp.sin(gamma) * side, mp.mpf(order.centres) - e * mp.cos(gamma)
-    far, arm = mp.sqrt(across**2 + down**2), mp.mpf(order.lever)
+    far, arm = mp.sqrt(across**2 + down**2), mp.mpf(order.lever or 0)
+    if order.follower == FLAT_ROCKER:
+        return mp.atan2(across, down) + mp.asin(reach / far)
     return mp.atan2(across, down) + mp.acos((arm**2 + far**2 - reach**2) / (2 * arm * far))
 
 
@@ -112,6 +125,9 @@ def test_its_steps_are_its_ink(kind: str) -> None:
     assert not without_source(view)
     assert_pictures_make_the_view(log, view)
     assert len([one for one in view.strokes if one.part == "contour"]) == 1
+
+
+CIRCLE = 'radius = "30 mm"\neccentricity = "8 mm"\n'
 
 
 def scene(folder: Path, rest: str) -> Path:
@@ -153,6 +169,9 @@ def test_its_task_shows_radius_and_eccentricity() -> None:
         ('radius = "30 mm"\neccentricity = "30 mm"', "eccentricity"),
         ('radius = "30 mm"\neccentricity = "8 mm"\noffset = "25 mm"', "offset"),
         ('base = "20 mm"\nflank = "60 mm"', "distance"),
+        (f'{CIRCLE}follower = "flat rocker"', "centres"),
+        (f'{CIRCLE}follower = "flat rocker"\ncentres = "80 mm"\nlever = "60 mm"', "lever"),
+        (f'{CIRCLE}follower = "flat"\nface = "6 mm"', "face"),
     ],
 )
 def test_what_does_not_go_together_is_refused_by_its_key(
