@@ -268,7 +268,8 @@ class _Plans:
         pin = self.made.follower.points
         for k, (name, one) in enumerate(self.bars_of.items(), start=1):
             at = self.draft.take(Number, "σ", pick[name])
-            pin = self.draft.draw(on_arc, f"K_{{1–{k}}}", one.pin, pin, at, free=True)
+            letter = "K" if k == len(pick) else f"K_{{1–{k}}}"
+            pin = self.draft.draw(on_arc, letter, one.pin, pin, at, free=True)
         return self._lever_to(pin)
 
     def read(self, found: dict[str, Vectors], pick: dict[str, Reals], letter: str) -> Mark:

@@ -213,8 +213,9 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     for name in foreign:
         says = said('the follower "{follower}" has none; leave it out', follower=cam.follower)
         yield Flaw((at, name), says)
+    named = ("all",) if _eccentric(cam) else (*CHANGES, "all")
     for i, name in enumerate(cam.accelerations):
-        if name not in (*CHANGES, "all") and not (name.isdigit() and int(name) <= cam.parts):
+        if name not in named and not (name.isdigit() and int(name) <= cam.parts):
             says = said(
                 "there is no position {name}; the row goes from 0 to {last}, I and II are the changes of arcs",
                 name=name,

@@ -169,6 +169,7 @@ def test_its_task_shows_radius_and_eccentricity() -> None:
         ('radius = "30 mm"\neccentricity = "30 mm"', "eccentricity"),
         ('radius = "30 mm"\neccentricity = "8 mm"\noffset = "25 mm"', "offset"),
         ('base = "20 mm"\nflank = "60 mm"', "distance"),
+        (f'{CIRCLE}accelerations = ["I"]', "accelerations"),
         (f'{CIRCLE}follower = "flat rocker"', "centres"),
         (f'{CIRCLE}follower = "flat rocker"\ncentres = "80 mm"\nlever = "60 mm"', "lever"),
         (f'{CIRCLE}follower = "flat"\nface = "6 mm"', "face"),
