@@ -12,6 +12,7 @@ import pytest
 from support.each import each
 
 from graphic_tmm.board.bounds import Bound, TaskError
+from graphic_tmm.chapters.cam.kinds_spring import SpringTask
 from graphic_tmm.chapters.cam.refusals import refuse
 from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.gears.refusals import refuse_order
@@ -179,6 +180,8 @@ def test_what_the_schema_tells_the_plan_takes(case: Case, tmp_path: Path) -> Non
     if key in ("least", "most", "ring_most"):
         limits = Limits(**_together(case) | {key: int(value)})  # type: ignore[arg-type]
         changed = replace(order, limits=limits)
+    elif key == "reserve":
+        changed = replace(order, spring=SpringTask(0.5, reserve=value), speed=30.0)
     elif key in ("teeth", "satellites", "stations"):
         listed = {"teeth": (value, None, None), "satellites": (value,), "stations": (value,)}
         changed = replace(order, **{key: listed[key]})

@@ -29,6 +29,11 @@ roller's centre draws the theoretical profile; the working profile is its equidi
 radius, which should stay below a share of r0 and of the theoretical profile's least radius of curvature. A
 knife edge draws the working profile itself.
 
+Where the follower has a mass, inertia P over the turn and a line of the spring over the displacement follow:
+the steepest ray to the wanted force from the pole, as far before the lowest place as the spring is compressed
+there, gives its rate and its preload; force of contact and moment on the shaft are drawn over the turn
+(`spring`).
+
 Draws: place ``cam``: diagrams, region of centres, profiles, pressure angle and curvature over the turn,
 results; place ``cam scheme``: the mechanism in one position with its pressure angle; on a board of its own
 whose positions are angles of the cam. Builds on no chapter.

@@ -24,6 +24,9 @@ PROTRACTOR = 0.05
 RULER = 1e-4
 """A length that is over by less than this share of itself (0.01 mm in 100) cannot be told from its limit."""
 
+FORCE = 5e-3
+"""A force below this share of the largest is less than a ruler tells on its diagram (0.2 mm of 40)."""
+
 _WORDS = {
     "pressure": said(
         "the pressure angle reaches {value:.4g}° at φ = {angle:.4g}°, {limit:g}° are allowed: r0 = "
@@ -52,6 +55,14 @@ _WORDS = {
     "hollow": said(
         "the radius of curvature under the flat face falls to {value:.4g} mm at φ = {angle:.4g}°, "
         "{limit:.4g} mm are the least: r0 = {r0:.4g} mm is too small, take {least:.4g} mm at least"
+    ),
+    "lift-off": said(
+        "the follower lifts off the cam at φ = {angle:.4g}°, where the force of contact falls to "
+        "{value:.4g} N: take a spring of a larger preload or rate, or turn the cam slower"
+    ),
+    "reserve": said(
+        "at φ = {angle:.4g}° the spring has {value:.4g} less than its reserve of {limit:g} wants: take a "
+        "larger preload or rate"
     ),
     "hollow lever": said(
         "the radius of curvature under the flat face falls to {value:.4g} mm at φ = {angle:.4g}°, "
@@ -125,10 +136,29 @@ def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
         return float(reading[mark][0, 0])
 
     sizes = (1000.0 * value_at(cam.r0), 1000.0 * value_at(cam.least))
-    follower = cam.order.follower
+    follower, spring = cam.order.follower, _spring(reading, cam, value_at, sizes)
     if isinstance(follower, FlatFollower | FlatRockerFollower):
-        return _hollow(cam, follower.least, value_at, sizes)
-    return (*_pressure(reading, cam, value_at, sizes), *_roller(cam, value_at, sizes))
+        return (*_hollow(cam, follower.least, value_at, sizes), *spring)
+    return (*_pressure(reading, cam, value_at, sizes), *_roller(cam, value_at, sizes), *spring)
+
+
+def _spring(
+    reading: Reading, cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
+    """A follower that lifts off, or else a spring with less than its reserve."""
+    if cam.spring is None or cam.order.spring is None:
+        return ()
+    most, least = cam.spring.contact.extremes
+    if one(least.value) < -FORCE * abs(one(most.value)):
+        place = one(least.angle)
+        return (CamFinding("lift-off", place, one(least.value), 0.0, *sizes),)
+    rows = np.array([reading.figure(mark)[0] for mark in cam.spring.left])
+    over = np.where(np.isfinite(rows), rows, np.inf).min(axis=0)
+    k, largest = int(np.argmin(over)), np.nanmax(np.abs(reading.figure(cam.spring.force)))
+    if over[k] < -FORCE * largest:
+        place, reserve = cam.diagrams.turn.angles[k], cam.order.spring.reserve
+        return (CamFinding("reserve", place, -float(over[k]), reserve, *sizes),)
+    return ()
 
 
 def _hollow(

@@ -7,17 +7,17 @@ from functools import partial
 
 import numpy as np
 
-from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.cam.centre import VIEW
 from graphic_tmm.chapters.cam.flat_rocker import FaceLever, FaceRegion
 from graphic_tmm.chapters.cam.ink_centre import AROUND, CentreNames, part_of_circle
-from graphic_tmm.chapters.cam.ink_rules import OVER, POINT, CamInk, numbered
+from graphic_tmm.chapters.cam.ink_rules import OVER, POINT, CamInk, dots, numbered
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, circle, line
 from graphic_tmm.paper.figure import body, figure, showing
 from graphic_tmm.paper.mark_rules import curve, leaving, straight
-from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
+from graphic_tmm.paper.seen import Rule, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot
 
@@ -71,17 +71,10 @@ def _rules(ink: _Limits) -> dict[Mark, Rule]:
         ink.lever.line: straight("thin", 0j, ink.centre),
         **dict.fromkeys(region.curves, curve()),
     }
-    for rows, pen in ((region.points, 0), (region.ends, 1)):
+    for rows, below in ((region.points, False), (region.ends, True)):
         for mark, (_, first, last) in zip(rows, ink.on.cam.diagrams.stretches, strict=True):
-            rules[mark] = partial(_dots, first, last, bool(pen))
+            rules[mark] = partial(dots, first, last, below=below)
     return rules
-
-
-def _dots(first: int, last: int, below: bool, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """A point of a stretch; ``below``: only where it stands below the lowest lever."""
-    spot = seen.point(step.it, k)
-    if first <= k <= last and finite(spot) and not (below and spot.imag >= 0.0):
-        yield circle("thin", spot, POINT)
 
 
 def _bodies(ink: _Limits) -> Iterator[Ink]:

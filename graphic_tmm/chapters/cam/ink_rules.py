@@ -14,7 +14,13 @@ from graphic_tmm.board.operations.instruments import strike
 from graphic_tmm.board.record import Figure, Mark, Step
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.cam.laws import formulas as law
-from graphic_tmm.chapters.cam.operations import divide_semicircle, extreme_of_two, phase_end, slant
+from graphic_tmm.chapters.cam.operations import (
+    divide_semicircle,
+    extreme_of_two,
+    phase_end,
+    slant,
+    steeper_of_two,
+)
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import body
@@ -24,7 +30,9 @@ from graphic_tmm.paper.rules import segment, struck_arc
 from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
-TRACELESS = frozenset({phase_end.name, extreme_of_two.name, slant.name, "in_turn"})
+TRACELESS = frozenset(
+    {phase_end.name, extreme_of_two.name, slant.name, "in_turn", steeper_of_two.name}
+)
 """Operations that leave no trace: points that are there already under another letter, angles measured with the
 protractor."""
 POINT = 0.4
@@ -56,6 +64,15 @@ def between(starts: Complexes, ends: Complexes) -> Rule:
         yield from segment("thin", complex(starts[k]), complex(ends[k]))
 
     return drawn
+
+
+def dots(
+    first: int, last: int, seen: Seen, step: Step, k: int, *, below: bool = False
+) -> Iterator[Ink]:
+    """A point of a stretch of positions; ``below``: only where it stands below the axis."""
+    spot = seen.point(step.it, k)
+    if first <= k <= last and finite(spot) and not (below and spot.imag >= 0.0):
+        yield circle("thin", spot, POINT)
 
 
 def whole(seen: Seen, step: Step, k: int) -> Iterator[Ink]:

@@ -7,6 +7,7 @@ from functools import cached_property, partial
 
 from graphic_tmm.board.operations.formulas import to_board, total
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam import formulas_spring, words_spring
 from graphic_tmm.chapters.cam import note_words as words
 from graphic_tmm.chapters.cam.centre import VIEW as CENTRE
 from graphic_tmm.chapters.cam.centre import Centre, Path
@@ -18,6 +19,8 @@ from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.record import VIEW as CALCULATED
+from graphic_tmm.chapters.cam.spring import INERTIA
+from graphic_tmm.chapters.cam.spring import VIEW as SPRING
 from graphic_tmm.chapters.cam.turn import CONTACT, CURVATURE
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.language.numbers import number
@@ -76,6 +79,7 @@ class CamPage(Page[Cam]):
         yield from self._centres()
         yield from self._limits()
         yield from self._profile()
+        yield from self._spring()
         yield from self._checks()
         for name in list(self.pictures):
             yield from self.leads(self.figures(name))
@@ -174,6 +178,23 @@ class CamPage(Page[Cam]):
         yield self.says(words.REACH, s0=self.letter(self.recorded.path.s0))
         yield from self.formulas(PROFILE, total)
         yield from self.leads(self.figures(PROFILE))
+
+    def _spring(self) -> Iterator[Block]:
+        spring, of = self.recorded.spring, self.recorded.order.spring
+        if spring is None or of is None:
+            return
+        yield self.head(words_spring.SPRING)
+        yield self.says(words_spring.INERTIA)
+        yield from self.formulas(INERTIA, formulas_spring.follower_inertia, first=True)
+        yield self.says(words_spring.SOUGHT if of.rate is None else words_spring.GIVEN)
+        if of.rate is None:
+            yield from self.worked_out(spring.preload, spring.rate)
+        yield self.says(words_spring.CONTACT)
+        yield from self.formulas(SPRING, formulas_spring.closing, first=True)
+        for diagram in (spring.contact, spring.moment):
+            for extreme in diagram.extremes:
+                yield from self.worked_out(extreme.angle, extreme.value)
+        yield from self.leads(self.figures("cam-spring"))
 
     def _checks(self) -> Iterator[Block]:
         beside = BESIDE.on(self.drawn)

@@ -166,6 +166,31 @@ def touch_curve(curve: Curve, to: Line, by: Angle, *, sense: int, left: int) -> 
     return Line(spot, np.broadcast_to(way, spot.shape))
 
 
+PASSES = 12
+"""How often a ray is laid to the point farthest above it: each pass doubles its digits, from the highest on."""
+
+
+@operation(
+    symbol=SUPPORT,
+    across=True,
+    fails=WHOLE_ROW,
+    why=said("The ray that is steepest touches the curve: all of it lies below."),
+)
+def steepest_ray(start: Point, curve: Curve) -> Point:
+    """Turn the ruler about {start} until it touches the curve {curve} from above; mark the contact {it}."""
+    way = np.ones((curve.knots.shape[0], 1), dtype=np.complex128)
+    for _ in range(PASSES):
+        spot = _farthest(curve, 1j * way)
+        way = (spot - start[:, :1]) / np.abs(spot - start[:, :1])
+    return Point(spot)
+
+
+@operation(symbol=FREE, why=said("The spring has to hold everywhere: the steeper ray rules."))
+def steeper_of_two(start: Point, first: Point, second: Point) -> Point:
+    """Seen from {start}, of {first} and {second} keep the one on the steeper ray, {it}."""
+    return Point(np.where(wedge(first - start, second - start) > 0.0, second, first))
+
+
 @operation(symbol=FREE, why=said("Both bounds have to hold: the outer one rules."))
 def outer_parallel(first: Line, second: Line, *, left: int) -> Line:
     """Of the parallels {first} and {second} keep the outer one, {it}.

@@ -23,6 +23,7 @@ from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.profile import VIEW as PROFILE
 from graphic_tmm.chapters.cam.profile import Profile, draw_flat_profile, draw_profile
 from graphic_tmm.chapters.cam.rocker import Lever, draw_rocker_centre
+from graphic_tmm.chapters.cam.spring import Contact, Spring, draw_spring
 from graphic_tmm.chapters.cam.task import (
     ASKED,
     CAM,
@@ -75,6 +76,7 @@ class Cam:
     charts: tuple[Chart, ...]
     contact: TurnDiagram | None = None
     face: Mark | None = None
+    spring: Spring | None = None
 
     @property
     def r0(self) -> Mark:
@@ -116,6 +118,19 @@ def draw_cam(draft: Draft, order: CamTask) -> Cam:
         If what is asked makes no sense; it says what to change. Limits that are passed are findings, see
         `cam_findings`.
     """
+    cam = _draw_pair(draft, order)
+    if order.spring is None:
+        return cam
+    lever = cam.path.lever if isinstance(cam.path, Lever) else None
+    distance = cam.contact.chart.ordinates[0] if cam.contact is not None else None
+    angle = cam.centre.pressure if isinstance(cam.centre, Centre) else None
+    touch = Contact(cam.profile, angle, lever, distance)
+    spring = draw_spring(draft, order, order.spring, cam.diagrams, touch, cam.sense)
+    return replace(cam, spring=spring, charts=(*cam.charts, *spring.charts))
+
+
+def _draw_pair(draft: Draft, order: CamTask) -> Cam:
+    """Draw cam and follower without the spring."""
     turn = divide(order)
     _refuse_triangle(order)
     sense = 1 if order.turns == "counterclockwise" else -1

@@ -10,6 +10,7 @@ import numpy as np
 
 from graphic_tmm.board.bounds import POSITIVE, TaskError
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
+from graphic_tmm.chapters.cam.kinds_spring import NO_SPEED
 from graphic_tmm.chapters.cam.motion import (
     BY_DIAGRAM,
     TURN,
@@ -199,6 +200,10 @@ def _refuse_choices(order: CamTask) -> None:
     follower = order.follower
     if isinstance(follower, FlatFollower | FlatRockerFollower):
         _bounded("least_curvature", follower.least)
+    if order.spring is not None:
+        _bounded("reserve", order.spring.reserve)
+        if order.speed is None:
+            raise TaskError("cam", "speed", NO_SPEED)
     for name in ("pressure", "pressure_return", "share_of_r0", "share_of_curvature"):
         value = getattr(order, name)
         if value is not None:

@@ -5,12 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.centre import Centre
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.task import CAM
+from graphic_tmm.chapters.cam.turn import TurnDiagram
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 
@@ -35,6 +39,9 @@ def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     found += _moving(drawn, rocks, count)
     if isinstance(made.centre, Centre):
         found.append(_column("pressure", "°", reading.figure(made.centre.pressure), count))
+    if made.spring is not None:
+        for segment, one in zip("PNM", made.spring.diagrams, strict=True):
+            found.append(_of_stretches(segment, one, reading, count))
     at = tuple(zip(drawn.names, drawn.project.coordinates, strict=True))
     return tuple(replace(column, at=at) for column in found)
 
@@ -50,6 +57,18 @@ def _moving(drawn: Drawn, rocks: bool, count: int) -> list[Column]:
         else {"v": beside.velocity, "a": beside.acceleration}
     )
     return [_column(k, m.unit, drawn.reading.figure(m), count) for k, m in marks.items()]
+
+
+def _of_stretches(segment: str, diagram: TurnDiagram, reading: Reading, count: int) -> Column:
+    """Return the ordinates of a diagram; where two stretches meet, the earlier one's."""
+    sizes = []
+    for by in (None, diagram.chart.mu):
+        size, *others = (reading.figure(mark, by) for mark in diagram.chart.ordinates)
+        for other in others:
+            size = np.where(np.isnan(size), other, size)
+        sizes.append(size)
+    mm, value = sizes
+    return _column(segment, diagram.chart.unit, value, count, mm)
 
 
 def _column(
@@ -83,6 +102,12 @@ def cam_marks(made: Cam) -> Mapping[str, Mark]:
     if made.contact is not None and made.face is not None:
         farthest, nearest = made.contact.extremes
         marks |= {"face_to": farthest.value, "face_from": nearest.value, "face_length": made.face}
+    if made.spring is not None:
+        spring = made.spring
+        marks |= {"spring_preload": spring.preload, "spring_rate": spring.rate}
+        for name, diagram in (("contact", spring.contact), ("moment", spring.moment)):
+            most, least = diagram.extremes
+            marks |= {f"{name}_most": most.value, f"{name}_least": least.value}
     marks["least_curvature"] = made.curvature.extremes[0].value
     return marks
 

@@ -18,6 +18,9 @@ from graphic_tmm.chapters.cam.kinds import (
 )
 from graphic_tmm.chapters.cam.kinds import FlatFollower as FlatFollower
 from graphic_tmm.chapters.cam.kinds import RockerFollower as RockerFollower
+from graphic_tmm.chapters.cam.kinds_spring import KEYS as SPRING_KEYS
+from graphic_tmm.chapters.cam.kinds_spring import SpringTask, spring_of
+from graphic_tmm.chapters.cam.kinds_spring import flaws as flaws_of_spring
 from graphic_tmm.chapters.cam.motion import (
     AS_GIVEN,
     BY_DIAGRAM,
@@ -189,6 +192,7 @@ class CamTask:
         ),
     )
     follower: Follower = combined_key(follower_of, RollerFollower(), **KEYS)
+    spring: SpringTask | None = combined_key(spring_of, None, **SPRING_KEYS)
     turns: str = key(v.TURNS, "which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
     pressure: float = combined_key(
         _pressure,
@@ -257,6 +261,7 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     rocks, told = cam.follower in ROCKING, parts.doc["cam"]
     yield from stroke_faults(cam, told, rocks, keys_of(CamTask))
     yield from flaws(cam)
+    yield from flaws_of_spring(cam, parts.doc["cam"])
     if cam.pressure is not None and cam.transmission is not None:
         says = said("pressure says the same; leave one of them out")
         yield Flaw(("cam", "transmission"), says)

@@ -51,6 +51,7 @@ def given(scene: Scene) -> Iterator[Given]:
         yield given_speed("1", order.speed)
     yield from _laws(order)
     yield from _follower(order)
+    yield from _spring(order)
     if not isinstance(order.follower, FlatFollower | FlatRockerFollower):
         yield Given("[α]", order.pressure, "°")
         if order.pressure_return is not None and order.pressure_return != order.pressure:
@@ -61,6 +62,25 @@ def _stroke(number: str, stroke: float, rocks: bool) -> Given:
     if rocks:
         return Given(f"β{number}", math.degrees(stroke), "°")
     return Given(f"h{number}", stroke, SIZE)
+
+
+def _spring(order: CamTask) -> Iterator[Given]:
+    """What the task gives of the follower's inertia, its load and its spring."""
+    spring, rocks = order.spring, order.rocks
+    if spring is None:
+        return
+    force = "N·m" if rocks else "N"
+    yield Given("J_B", spring.inertia, "kg·m²") if rocks else Given("m_B", spring.inertia, "kg")
+    if spring.load:
+        yield Given("Q", spring.load, force)
+    if spring.preload is not None and spring.rate is not None:
+        yield Given("F_0", spring.preload, force)
+        yield Given("c", spring.rate, "N·m/rad" if rocks else "N/m")
+        return
+    yield Given("k", spring.reserve, "")
+    if spring.lead is not None:
+        lead = (math.degrees(spring.lead), "°") if rocks else (spring.lead, SIZE)
+        yield Given("S_0", *lead)
 
 
 def stated(scene: Scene, language: str) -> Iterator[str]:
@@ -192,6 +212,8 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     yield _(_CONVEX if flat else _RADIUS)
     edge = isinstance(order.follower, RollerFollower) and order.follower.edge
     yield _(_FACE if flat else _POINTED if edge else _PROFILE)
+    if order.spring is not None:
+        yield _(_CHOSEN if order.spring.rate is None else _JUDGED)
 
 
 def listed(scene: Scene, language: str) -> Iterator[Listed]:
@@ -212,6 +234,14 @@ def listed(scene: Scene, language: str) -> Iterator[Listed]:
         yield Listed(f"law-{name}", title, heads, (row,))
 
 
+_CHOSEN = said(
+    "The spring is found by the line of its force over the inertia force; the force of contact and the moment "
+    "on the camshaft are drawn over the turn."
+)
+_JUDGED = said(
+    "The force of contact and the moment on the camshaft are drawn over the turn; whether the spring keeps the "
+    "follower on the cam is judged."
+)
 _DIAGRAMS = said(
     "Diagrams of the follower's displacement, of dS/dφ and of d²S/dφ² over a turn of the cam are drawn."
 )

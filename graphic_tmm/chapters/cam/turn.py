@@ -146,6 +146,37 @@ def draw_contact(draft: Draft, diagrams: Diagrams, distance: Mark) -> tuple[Turn
     return drawn, length
 
 
+def draw_values(
+    draft: Draft,
+    diagrams: Diagrams,
+    view: str,
+    letter: str,
+    unit: str,
+    values: Sequence[Mark],
+    rest: Mark | None = None,
+) -> TurnDiagram:
+    """Draw a quantity over the turn; its extremes are the highest and the lowest.
+
+    ``values``: by stretch, ``rest``: of the dwells at all positions (Number); None where it is zero.
+    """
+    draft.open(view)
+    mu = draft.scale(f"μ_{letter}", f"{unit}/mm")
+    axes = graphs.draw_axes(draft, view, diagrams.base, mu)
+    heights = [draft.draw(to_board, f"y_{letter}", value) for value in values]
+    points, curves, readings = _raised(draft, diagrams, axes, heights, letter)
+    level = axes.feet
+    if rest is not None:
+        level = _level(draft, diagrams, axes, draft.draw(to_board, "y_d", rest))
+    _outline(draft, diagrams, axes, points, level)
+    extremes = []
+    for name, above in (("max", 1), ("min", -1)):
+        point, y, angle = _extreme(draft, axes, curves, above)
+        value = draft.draw(in_si, f"{letter}_{{{name}}}", y, unit=unit)
+        extremes.append(Extreme(point, value, angle))
+    chart = Chart(view, letter, unit, mu, readings, True, None, ROOM)
+    return TurnDiagram(axes, chart, points, curves, tuple(extremes))
+
+
 def _raised(
     draft: Draft, diagrams: Diagrams, axes: Axes, heights: Sequence[Mark], letter: str
 ) -> tuple[tuple[Mark, ...], tuple[Mark, ...], tuple[Mark, ...]]:

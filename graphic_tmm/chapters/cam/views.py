@@ -16,6 +16,7 @@ from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
 from graphic_tmm.chapters.cam.ink_flat_rocker import draw_face_ink
 from graphic_tmm.chapters.cam.ink_rules import DIAGRAM_RULES
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames, draw_scheme_ink, position_of
+from graphic_tmm.chapters.cam.ink_spring import SpringNames, draw_spring_ink
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.rocker import Lever
@@ -76,13 +77,10 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
     charts = {chart.view: chart for chart in made.charts}
     first: list[Drawing] = []
     second: list[Drawing] = []
+    third: list[Drawing] = []
     for view in dict.fromkeys(f.view for f in log.figures if f.kind == "axes"):
         called = RADII if view == CURVATURE and made.pressure is None else view
-        if made.order.rocks and view in (
-            "cam S",
-            "cam dS",
-            "cam ddS",
-        ):
+        if made.order.rocks and f"rocker {view}" in words:
             called = f"rocker {view}"
         symbol = words.get(f"symbol {called}", words["symbol cam"])
         on = subject(drawn, _title(called, language), PLAN)
@@ -98,8 +96,39 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
         )
         graph = draw_graph(on, view, reading.positions, told, DIAGRAM_RULES)
         shown = with_caption(graph, on, lettered, _scale(drawn, made, view))
-        (first if view in ("cam S", "cam dS", "cam ddS") else second).append(shown)
-    return [stacked("cam-diagrams", first)] + ([stacked("cam-limits", second)] if second else [])
+        forces = made.spring is not None and view in {one.view for one in made.spring.charts}
+        stack = third if forces else second
+        (first if view in ("cam S", "cam dS", "cam ddS") else stack).append(shown)
+    if made.spring is not None:
+        third.append(_spring(drawn, made, names, lettered))
+    stacks = {"cam-diagrams": first, "cam-limits": second, "cam-spring": third}
+    return [stacked(name, views) for name, views in stacks.items() if views]
+
+
+def _spring(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Drawing:
+    """Return the line of the spring over the inertia force."""
+    spring, language = made.spring, drawn.scene.language
+    assert spring is not None
+    size, motion = spring.preload.unit, made.diagrams.stroke.unit
+    letter = made.order.letters["S"]
+
+    def has(name: str, mark: Mark) -> str:
+        return f"{name} = {number(drawn.value(mark), language, 3)} {unit(mark.unit, language)}"
+
+    scale = Scale(f"μ_{letter}", drawn.value(made.diagrams.S.chart.mu), f"{motion}/mm")
+    told = SpringNames(
+        names,
+        on_axis(letter, unit(motion, language)),
+        on_axis("F", unit(size, language)),
+        "F_{0}",
+        "F_{h}",
+    )
+    on = subject(drawn, captions(language)["cam spring"], PLAN)
+    force = Scale("μ_{F}", drawn.value(spring.mu), f"{size}/mm")
+    scales = ", ".join(mu_text(one, language) for one in (force, scale))
+    lines = (scales, f"{has('F_{0}', spring.preload)}, {has('c', spring.rate)}")
+    known = (spring.preload, spring.rate)
+    return with_caption(draw_spring_ink(on, made, told), on, lettered, *lines, known=known)
 
 
 def _limits(drawn: Drawn, made: Cam) -> list[Level]:
