@@ -94,6 +94,13 @@ SHAPES: dict[str, tuple[Shape, Shape, Shape]] = {
 
 def shapes(law: Law) -> tuple[Shape, Shape, Shape]:
     """Return the closed forms of a law; of a diagram by exact integration of its straight lines."""
+    if law.shares != (1.0, 1.0):
+        up = law.shares[0] / (law.shares[0] + law.shares[1])
+        return (
+            lambda u: np.where(u < up, u**2 / up, 1 - (1 - u) ** 2 / (1 - up)),
+            lambda u: np.where(u < up, 2 * u / up, 2 * (1 - u) / (1 - up)),
+            lambda u: np.where(u < up, 2 / up, -2 / (1 - up)),
+        )
     if law.name != "diagram":
         return SHAPES[law.name]
     x, a = np.array(law.points).T
@@ -380,7 +387,7 @@ def least_radius(order: CamTask, step: float = 0.02) -> float:
         one.start + one.extent * share
         for one in stages(order)
         if one.law
-        for share in (1 / 6, 1 / 2, 5 / 6, *(share for share, _ in one.law.points))
+        for share in (1 / 6, 1 / 2, 5 / 6, one.law.split, *(share for share, _ in one.law.points))
     ]
     coarse, dense = (np.append(np.arange(0.0, 360.0, t), corners) for t in (1.0, step))
     first = next((k for k, r0 in enumerate(tried) if fits(r0, coarse) and fits(r0, dense)), None)

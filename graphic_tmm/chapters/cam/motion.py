@@ -20,6 +20,8 @@ from graphic_tmm.scene.units import Dimension
 
 TURN, SAME = 360.0, 1e-6
 """A turn, degrees; angles (degrees), and strokes by a share of themselves, that differ by less are the same."""
+SHARED, EVEN_SHARES = "constant acceleration", (1.0, 1.0)
+"""The law whose shares of speeding up and of slowing down may be told; these, if they are not."""
 BY_DIAGRAM = "diagram"
 """The law that is given by points of its acceleration diagram."""
 
@@ -54,10 +56,17 @@ class Law:
     ``points`` of the law "diagram": (share of the phase, acceleration), in the order of time, joined by
     straight lines; the acceleration is positive while the follower speeds up, on the return too, in any unit,
     for its scale follows from the stroke. Points with one share make a jump, from the first to the last.
+    ``shares``: of speeding up and of slowing down, in proportion, of a law of constant acceleration.
     """
 
     name: str
     points: tuple[tuple[float, float], ...] = ()
+    shares: tuple[float, float] = EVEN_SHARES
+
+    @property
+    def split(self) -> float:
+        """The share of the phase after which the follower slows down."""
+        return self.shares[0] / sum(self.shares)
 
 
 def _stroke(value: object, names: Names) -> float:
@@ -99,6 +108,15 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     return tuple(found)
 
 
+def _shares(value: object, names: Names) -> tuple[float, float]:
+    plain = isinstance(value, list) and len(value) == 2
+    if not plain or not all(POSITIVE.holds(one) for one in value):  # type: ignore[attr-defined]
+        says = said("write the shares of speeding up and of slowing down, [2, 1]")
+        raise ValueError(stands(value, says))
+    return float(value[0]), float(value[1])  # type: ignore[index]
+
+
+SHARES = Kind(_shares, {"type": "array"})
 STROKE = Kind(_stroke, v.SCALE, POSITIVE, "length, or angle")
 POINTS = Kind(_points, {"type": "array"})
 MOVING = v.number(Bound(0, 360, above=True, below=True), "angle")
@@ -108,8 +126,8 @@ LAW = v.choice_of(_words)
 
 
 def _own_law(said: Said) -> Law | None:
-    name = said.law or (BY_DIAGRAM if said.law_points else None)
-    return None if name is None else Law(name, said.law_points or ())
+    name = said.law or (BY_DIAGRAM if said.law_points else SHARED if said.shares else None)
+    return None if name is None else Law(name, said.law_points or (), said.shares or EVEN_SHARES)
 
 
 @dataclass(frozen=True)
@@ -131,6 +149,7 @@ class Stage:
         None,
         law=key(LAW, "the law of motion, if it is not that of the cam", "cosine", None),
         law_points=key(POINTS, "points of its acceleration diagram", [[0, 0], [0.25, 1]], None),
+        shares=key(SHARES, "shares of its constant acceleration", [2, 1], None),
     )
 
     @property

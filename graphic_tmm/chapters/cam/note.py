@@ -33,7 +33,8 @@ from graphic_tmm.paper.drawing import Drawing
 
 RADII = (
     law.sine_radius, law.sine_radius_V, law.sine_radius_A, law.cosine_radius, law.cosine_radius_V,
-    law.cosine_radius_A, law.parabola_V, law.parabola_A, law.polynomial_S, law.polynomial_V, law.polynomial_A,
+    law.cosine_radius_A, law.parabola_V, law.parabola_A, law.shared_A,
+    law.polynomial_S, law.polynomial_V, law.polynomial_A,
 )  # fmt: skip
 """What a law is drawn by."""
 
@@ -96,7 +97,9 @@ class CamPage(Page[Cam]):
         yield self.says(words.RADIANS)
         yield from self.formulas(VIEWS["S"], f.radians_of)
         yield from self.formulas(CALCULATED, f.radians_of)
-        for name in dict.fromkeys(phase.law.name for phase in diagrams.turn.phases):
+        laws = [phase.law for phase in diagrams.turn.phases]
+        names = (one.name if one.split == 0.5 else "unequal shares" for one in laws)
+        for name in dict.fromkeys(names):
             yield self.says(words.LAWS[name])
         for integral in diagrams.integrals:
             for which in ("A", "V", "S"):

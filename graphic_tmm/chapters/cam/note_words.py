@@ -30,6 +30,11 @@ LAWS = {
         "to equal divisions of the ordinate over the middle; dS/dφ of two straight lines to the peak below; "
         "d²S/dφ² of two level lines."
     ),
+    "unequal shares": said(
+        "The acceleration is constant over each of both parts of the phase. S consists of two parabolas, drawn "
+        "by rays to equal divisions of the ordinate between them; dS/dφ of two straight lines to the peak "
+        "there; d²S/dφ² of two level lines, as high as the parts are short."
+    ),
     "constant velocity": said(
         "The velocity is constant but for a sixth of the phase at either end. S is a straight line between two "
         "parabolas, drawn by rays to equal divisions of the ordinates over the ends of these sixths; dS/dφ "

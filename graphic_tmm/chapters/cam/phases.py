@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.cam.motion import BY_DIAGRAM, TURN, Law, Stage, drawn_laws, levels
+from graphic_tmm.chapters.cam.motion import BY_DIAGRAM, SHARED, TURN, Law, Stage, drawn_laws, levels
 from graphic_tmm.chapters.cam.refusals import (
     SLACK,
     WHOLE,
@@ -218,5 +218,5 @@ def _division(order: CamTask, motion: Stage) -> _Division:
 def _jumps(law: Law) -> list[float]:
     """Return the shares inside a phase at which the acceleration jumps."""
     if law.name != BY_DIAGRAM:
-        return list(drawn_laws()[law.name].jumps)
+        return [law.split] if law.name == SHARED else list(drawn_laws()[law.name].jumps)
     return jumps(law.points)

@@ -10,7 +10,7 @@ from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.laws import laws
-from graphic_tmm.chapters.cam.motion import BY_DIAGRAM
+from graphic_tmm.chapters.cam.motion import BY_DIAGRAM, SHARED
 from graphic_tmm.chapters.cam.phases import Phase
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam, record
 from graphic_tmm.chapters.cam.refusals import risen
@@ -76,7 +76,12 @@ def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
 def _factors(phase: Phase) -> tuple[float, float]:
     """Return the largest dS/dφ and d²S/dφ² of a law, of h/Φ and h/Φ²."""
     if phase.law.name != BY_DIAGRAM:
-        return laws()[phase.law.name].peaks
+        drawn, split = laws()[phase.law.name], phase.law.split
+        return (
+            (drawn.peaks[0], 2.0 / min(split, 1.0 - split))
+            if phase.law.name == SHARED
+            else drawn.peaks
+        )
     lift, speed = risen(phase.law.points)
     return speed / lift, max(abs(value) for _, value in phase.law.points) / lift
 

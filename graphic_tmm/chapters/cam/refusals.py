@@ -13,6 +13,8 @@ from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.kinds_spring import NO_SPEED
 from graphic_tmm.chapters.cam.motion import (
     BY_DIAGRAM,
+    EVEN_SHARES,
+    SHARED,
     TURN,
     Law,
     Stage,
@@ -122,7 +124,10 @@ def keys_of_law(order: CamTask, motion: Stage) -> tuple[str, str]:
     """Return the keys of a scene that tell the law of a phase, and its points."""
     if order.phases:
         return "phase", "phase"
-    return ("law", "law_points") if motion.sign > 0 else ("return_law", "return_points")
+    shared = motion.law is not None and motion.law.name == SHARED
+    if motion.sign > 0:
+        return "law", "shares" if shared else "law_points"
+    return "return_law", "return_shares" if shared else "return_points"
 
 
 def refuse(order: CamTask) -> None:
@@ -226,6 +231,10 @@ def _refuse_law(keys: tuple[str, str], law: Law, base: float) -> None:
             "cam",
             keys[0],
             said('no law "{name}": take one of {listed}', name=law.name, listed=", ".join(names())),
+        )
+    if law.shares != EVEN_SHARES and law.name != SHARED:
+        raise TaskError(
+            "cam", keys[0], said("only the law of constant acceleration has shares; leave them out")
         )
     if law.name != BY_DIAGRAM:
         if law.points:

@@ -25,11 +25,14 @@ from graphic_tmm.chapters.cam.motion import (
     AS_GIVEN,
     BY_DIAGRAM,
     DWELL,
+    EVEN_SHARES,
     LAW,
     MIRRORED,
     MOVING,
     POINTS,
     RETURN,
+    SHARED,
+    SHARES,
     STROKE,
     Law,
     Stage,
@@ -65,7 +68,8 @@ def _rest(said: Said) -> float:
 
 
 def _rise_law(said: Said) -> Law:
-    return Law(said.law, (said.law_points or ()) if said.law == BY_DIAGRAM else ())
+    points = (said.law_points or ()) if said.law == BY_DIAGRAM else ()
+    return Law(said.law, points, said.shares or EVEN_SHARES)
 
 
 def _phases(said: Said) -> tuple[Stage, ...]:
@@ -86,7 +90,8 @@ def _return_law(said: Said) -> Law:
     name = said.return_law or said.law
     points = said.return_points or said.law_points or ()
     if name != BY_DIAGRAM:
-        return Law(name)
+        shares = said.return_shares or said.shares or EVEN_SHARES
+        return Law(name, shares=shares if name == SHARED else EVEN_SHARES)
     if getattr(said, RETURN) == MIRRORED:
         # run backwards the follower speeds up where it was braked
         return Law(name, tuple((1.0 - share, -value) for share, value in reversed(points)))
@@ -161,6 +166,12 @@ class CamTask:
             [[0, 0], [0.25, 1]],
             None,
         ),
+        shares=key(
+            SHARES,
+            "of constant acceleration: the shares of speeding up and of slowing down",
+            [2, 1],
+            None,
+        ),
     )
     return_law: Law = combined_key(
         _return_law,
@@ -172,6 +183,7 @@ class CamTask:
             [[0, 0], [0.25, 1]],
             None,
         ),
+        return_shares=key(SHARES, "those of the return, if they are others", [1, 2], None),
         **{
             RETURN: key(
                 v.choice(MIRRORED, AS_GIVEN),
@@ -285,6 +297,10 @@ def _laws(cam: Said) -> Iterator[Flaw]:
         if given and name not in (BY_DIAGRAM, None):
             says = said('only {law} = "diagram" takes points; leave them out', law=law)
             yield Flaw(("cam", points), says)
+    for law, shares in (("law", "shares"), ("return_law", "return_shares")):
+        if getattr(cam, shares) is not None and (getattr(cam, law) or cam.law) != SHARED:
+            says = said('only {law} = "constant acceleration" has shares; leave them out', law=law)
+            yield Flaw(("cam", shares), says)
     way = getattr(cam, RETURN)
     if way is None:
         return

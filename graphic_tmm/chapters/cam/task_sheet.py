@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from itertools import accumulate, pairwise
 
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower, RollerFollower
-from graphic_tmm.chapters.cam.motion import levels
+from graphic_tmm.chapters.cam.motion import EVEN_SHARES, levels
 from graphic_tmm.chapters.cam.task import (
     ASKED,
     CamTask,
@@ -107,14 +107,19 @@ _FLAT = said("The follower has a flat face.")
 _FLAT_ROCKER = said("The follower is a lever with a flat face.")
 
 
+_WAYS = {1: "rise", 3: "return"}
+
+
 def _laws(order: CamTask) -> Iterator[Given]:
-    laws = {k: one.law.name for k, one in enumerate(order.stages, 1) if one.law is not None}
-    if len(set(laws.values())) == 1:
-        yield Given("given law", f"law {laws[min(laws)]}")
-        return
-    for k, name in laws.items():
-        of = k if order.phases else f"of the {'rise' if k == 1 else 'return'}"
-        yield Given(f"given law {of}", f"law {name}")
+    laws = {k: one.law for k, one in enumerate(order.stages, 1) if one.law is not None}
+    alike = len({(one.name, one.shares) for one in laws.values()}) == 1
+    for k, law in laws.items():
+        of = "" if alike else f" {k}" if order.phases else f" of the {_WAYS[k]}"
+        yield Given(f"given law{of}", f"law {law.name}")
+        if law.shares != EVEN_SHARES:
+            yield Given(f"given shares{of}", "{:g} : {:g}".format(*law.shares))
+        if alike:
+            return
 
 
 def _follower(order: CamTask) -> Iterator[Given]:

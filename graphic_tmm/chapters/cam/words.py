@@ -15,6 +15,9 @@ CAPTIONS: dict[str, str] = {
     "given law": said("Law of motion"),
     "given law of the rise": said("Law of the rise"),
     "given law of the return": said("Law of the return"),
+    "given shares": said("Speeding up : slowing down"),
+    "given shares of the rise": said("Speeding up : slowing down, rise"),
+    "given shares of the return": said("Speeding up : slowing down, return"),
     "law sine": said("sine"),
     "law cosine": said("cosine"),
     "law constant acceleration": said("constant acceleration"),
@@ -102,6 +105,7 @@ _OF_PHASE = {
     "dS_max_#": said("largest S′, phase {k}"),
     "ddS_max_#": said("largest S″, phase {k}"),
     "given law #": said("Law of phase {k}"),
+    "given shares #": said("Speeding up : slowing down, phase {k}"),
 }
 """Of a cam with several lifts."""
 
@@ -209,6 +213,7 @@ WAVE_AT = said(
 OVER_POSITION = said("Over each part of the phase stands its ordinate.")
 STROKE_TOP = said("At the inner end of the phase the whole stroke is done.")
 MIDDLE = said("In the middle of the phase the acceleration changes its sign.")
+SHARED = said("Here the follower no longer speeds up: it begins to slow down.")
 PARABOLA_RAY = said("Rays to equal parts of the middle ordinate cut the ordinates of the parabola.")
 EASED_END = said("Over a sixth of the phase at either end the motion is eased.")
 EVEN_LINE = said(

@@ -68,6 +68,32 @@ def test_the_ordinates_are_those_of_the_law(law: Law, which: str, divisions: int
 
 
 @pytest.mark.parametrize("which", ["S", "V", "A"])
+@pytest.mark.parametrize("shares", [(2.0, 1.0), (1.0, 3.0), (3.0, 2.0)])
+def test_shares_of_speeding_up_may_be_unequal(which: str, shares: tuple[float, float]) -> None:
+    """In the order of time, on the return too; a position stands where the one goes over into the other."""
+    law = Law("constant acceleration", shares=shares)
+    found = drawn(law, law)
+    for angles, values in by_stretch(found, which):
+        right = due(found, which, angles)
+        np.testing.assert_allclose(values, right, atol=1e-9 * np.abs(right).max())
+    phases = found.cam.diagrams.turn.phases
+    at = [
+        (found.cam.diagrams.turn.angles[phase.breaks[0]] - phase.start) / phase.extent
+        for phase in phases
+    ]
+    assert at == pytest.approx([shares[0] / sum(shares)] * 2)
+
+
+def test_shares_that_no_position_divides_and_shares_of_another_law_are_refused() -> None:
+    odd = Law("constant acceleration", shares=(np.pi, 1.0))
+    with pytest.raises(StructureError, match="simple shares") as found:
+        divide(CamTask(**C6, rise_law=odd))
+    assert "cam.shares" in str(found.value) or "cam.shares" in found.value.keys
+    with pytest.raises(StructureError, match="only the law of constant acceleration has shares"):
+        divide(CamTask(**C6, return_law=Law("sine", shares=(2.0, 1.0))))
+
+
+@pytest.mark.parametrize("which", ["S", "V", "A"])
 def test_rise_and_return_may_follow_different_laws(which: str) -> None:
     found = drawn(Law("cosine"), JUMPS)
     for angles, values in by_stretch(found, which):

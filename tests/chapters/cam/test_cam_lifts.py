@@ -34,6 +34,7 @@ HUNDREDTH = 1e-5
 """0.01 mm, m: of 300 cams the worst was off by 0.0103 mm with 12 parts of a phase; it falls as 1/N⁴."""
 LAWS = [
     *map(Law, SHAPES),
+    Law("constant acceleration", shares=(2.0, 1.0)),
     Law("diagram", ((0, 0), (1 / 8, 1), (3 / 8, 1), (5 / 8, -1), (7 / 8, -1), (1, 0))),
     Law("diagram", ((0, 2), (1 / 3, 2), (1 / 3, -1), (1, -1))),
 ]

@@ -34,6 +34,10 @@ def even(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return np.where(u < 0.5, 4 * u, 4 - 4 * u), np.where(u < 0.5, 4.0, -4.0)
 
 
+def uneven(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    return np.minimum(2 * u / 0.75, 2 * (1 - u) / 0.25), np.where(u < 0.75, 2 / 0.75, -2 / 0.25)
+
+
 def by_points(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Of POINTS, by sums of strips: the stroke is made 1."""
     a = np.interp(u, *np.array(POINTS).T)
@@ -49,6 +53,7 @@ LAWS = {
     '"sine"': sine,
     '"3-4-5"': polynomial,
     '"constant acceleration"': even,
+    '"constant acceleration"\nshares = [3, 1]': uneven,
     '"diagram"': by_points,
 }
 

@@ -11,16 +11,14 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import (
     join,
     lay_off,
-    measure,
     meet,
-    parallel,
     square,
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.cam import words as why
 from graphic_tmm.chapters.cam.laws import formulas as law
-from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, top, uprights
+from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, foot_at, top, uprights
 
 EASED = 1 / 6
 """The share of the phase over which the follower speeds up, and that over which it slows down: as usual."""
@@ -39,12 +37,7 @@ def _eased(draft: Draft) -> Mark:
 
 
 def _foot(draft: Draft, ground: Ground, share: float, letter: str) -> Mark:
-    """Mark on the base the place at a share of the phase from its outer end."""
-    part = draft.take(Number, "u", share)
-    long = draft.draw(measure, "l", ground.near, ground.far)
-    far = draft.draw(law.even_height, "x", part, long)
-    inward = draft.draw(parallel, "(o)", ground.near, ground.along, sense=ground.of.sign)
-    return draft.draw(lay_off, letter, inward, far, free=True, why=why.EASED_END)
+    return foot_at(draft, ground, share, letter, why.EASED_END)
 
 
 def _displacements(draft: Draft, ground: Ground, height: Mark) -> tuple[Mark, ...]:
@@ -121,5 +114,5 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
 
 
 LAW = DrawnLaw(
-    "constant velocity", 5, _points, (PEAK, PEAK / EASED), (EASED, 1.0 - EASED), ("uniform",)
+    "constant velocity", 5, _points, (PEAK, PEAK / EASED), (EASED, 1.0 - EASED), also=("uniform",)
 )

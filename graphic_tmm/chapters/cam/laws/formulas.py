@@ -156,6 +156,15 @@ def parabola_A(stroke: Number, phase: Number, mu: Number) -> Length:
 
 
 @formula(
+    holds="{part} > 0",
+    fails="nothing of the phase is left for it",
+    why=said("Over its part of the phase the velocity grows to 2h/Φ, or falls from it."),
+)
+def shared_A(stroke: Number, phase: Number, part: Number, mu: Number) -> Length:
+    """2·{stroke}/({part}·{phase}²·{mu})"""
+
+
+@formula(
     why=said(
         "This polynomial begins and ends without velocity and acceleration, so there is no shock."
     )

@@ -8,9 +8,18 @@ from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.operations.instruments import lay_off, meet, parallel, square, strike
+from graphic_tmm.board.operations.instruments import (
+    lay_off,
+    measure,
+    meet,
+    parallel,
+    square,
+    strike,
+)
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.cam import words as why
+from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.operations import divide_semicircle
 from graphic_tmm.chapters.cam.phases import Phase
 
@@ -73,6 +82,15 @@ def top(draft: Draft, ground: Ground, height: Mark) -> Mark:
     """Mark the point of the stroke over the inner end of the phase."""
     line = draft.draw(square, "(h)", ground.far, ground.along, sense=1, why=why.STROKE_TOP)
     return draft.draw(lay_off, "h", line, height, free=True, why=why.STROKE_TOP)
+
+
+def foot_at(draft: Draft, ground: Ground, share: float, letter: str, why: str) -> Mark:
+    """Mark on the base the place at a share of the phase from its outer end."""
+    part = draft.take(Number, "u", share)
+    long = draft.draw(measure, "l", ground.near, ground.far)
+    far = draft.draw(law.even_height, "x", part, long)
+    inward = draft.draw(parallel, "(o)", ground.near, ground.along, sense=ground.of.sign)
+    return draft.draw(lay_off, letter, inward, far, free=True, why=why)
 
 
 _PRIMES = {"S": "", "V": "'", "A": "''"}
