@@ -52,6 +52,10 @@ _WORDS = {
         "the roller of {value:.4g} mm cuts the profile away at φ = {angle:.4g}°, where its radius "
         "of curvature is {limit:.4g} mm: take a smaller roller or a larger r0"
     ),
+    "sharp": said(
+        "the radius of curvature of the theoretical profile falls to {value:.4g} mm at φ = {angle:.4g}°, "
+        "{limit:.4g} mm are the least: take a larger r0 than {r0:.4g} mm"
+    ),
     "hollow": said(
         "the radius of curvature under the flat face falls to {value:.4g} mm at φ = {angle:.4g}°, "
         "{limit:.4g} mm are the least: r0 = {r0:.4g} mm is too small, take {least:.4g} mm at least"
@@ -139,7 +143,12 @@ def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
     follower, spring = cam.order.follower, _spring(reading, cam, value_at, sizes)
     if isinstance(follower, FlatFollower | FlatRockerFollower):
         return (*_hollow(cam, follower.least, value_at, sizes), *spring)
-    return (*_pressure(reading, cam, value_at, sizes), *_roller(cam, value_at, sizes), *spring)
+    return (
+        *_pressure(reading, cam, value_at, sizes),
+        *_sharp(cam, value_at, sizes),
+        *_roller(cam, value_at, sizes),
+        *spring,
+    )
 
 
 def _spring(
@@ -170,6 +179,16 @@ def _hollow(
         return ()
     kind = "hollow" if sizes[0] < sizes[1] else "hollow lever"
     return (CamFinding(kind, one(flattest.angle), rho, least, *sizes),)
+
+
+def _sharp(
+    cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
+    (sharpest,) = cam.curvature.extremes
+    rho, least = 1000.0 * one(sharpest.value), 1000.0 * cam.order.least_rho
+    if least == 0.0 or rho >= least * (1.0 - RULER):
+        return ()
+    return (CamFinding("sharp", one(sharpest.angle), rho, least, *sizes),)
 
 
 def _pressure(

@@ -14,6 +14,8 @@ EDGE, FLAT_ROCKER = "knife edge", "flat rocker"
 """The follower without a roller; the lever with a flat face."""
 ROCKING = ("rocker", FLAT_ROCKER)
 """Followers that swing through an angle."""
+FLAT_FACED = ("flat", FLAT_ROCKER)
+"""Those that touch the cam with a flat face."""
 
 
 @dataclass(frozen=True)
@@ -99,7 +101,7 @@ KEYS = {
         "against",
     ),
     "least_curvature": key(
-        _NOT_NEGATIVE, "least radius of curvature under a flat face", "5 mm", 0.0
+        _NOT_NEGATIVE, "least radius of curvature: under a flat face, else of the theoretical profile", "5 mm", 0.0
     ),
 }  # fmt: skip
 """The keys that `follower_of` reads."""

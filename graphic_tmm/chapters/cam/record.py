@@ -111,6 +111,10 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
         found[f"left_{phase.name}"] = draft.draw(
             f.angle_left, f"Δα_{phase.number}", allowed, extreme.value, unit="°"
         )
+    if order.least_rho:
+        least = draft.take(Number, "[ρ]", order.least_rho, "m")
+        (sharpest,) = cam.curvature.extremes
+        found["left_curvature"] = draft.draw(f.above, "Δρ", sharpest.value, least, unit="m")
     if cam.roller is None:
         return found
     radius = cam.roller.radius

@@ -203,8 +203,8 @@ def _refuse_sizes(order: CamTask) -> None:
 
 def _refuse_choices(order: CamTask) -> None:
     follower = order.follower
-    if isinstance(follower, FlatFollower | FlatRockerFollower):
-        _bounded("least_curvature", follower.least)
+    flat = isinstance(follower, FlatFollower | FlatRockerFollower)
+    _bounded("least_curvature", follower.least if flat else order.least_rho)
     if order.spring is not None:
         _bounded("reserve", order.spring.reserve)
         if order.speed is None:

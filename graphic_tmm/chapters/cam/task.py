@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.chapters.cam.kinds import (
+    FLAT_FACED,
     KEYS,
     ROCKING,
     FlatRockerFollower,
@@ -124,8 +125,8 @@ class CamTask:
     ``stroke`` h: m, or rad for a rocking roller. The four phases sum to 360°; ``phases`` stand instead
     of them (and their laws) where there are several lifts. ``pressure``: the largest
     pressure angle allowed towards the side of the rise, ``pressure_return`` towards that of the return (the
-    same if None); 90° less the least transmission angle. ``r0``: the least radius of the theoretical profile
-    (m), ``roller``: the radius of the roller (m); None: the least, and the largest, allowed in whole
+    same if None); 90° less the least transmission angle. ``least_rho``: the least radius of curvature
+    allowed of the theoretical profile (m; 0: any), ``r0``: its least radius (m), ``roller``: the radius of the roller (m); None: the least, and the largest, allowed in whole
     millimetres. ``share_of_r0`` and ``share_of_curvature`` bound the radius of the roller. A moving phase is
     divided into ``divisions`` parts, or the turn into about ``per_turn``. ``base`` and ``height``: the
     diagrams' length of a turn, and of the stroke unless ``mu_S`` says (m/mm or rad/mm). ``mu_V`` of dS/dφ is
@@ -205,6 +206,9 @@ class CamTask:
     )
     follower: Follower = combined_key(follower_of, RollerFollower(), **KEYS)
     spring: SpringTask | None = combined_key(spring_of, None, **SPRING_KEYS)
+    least_rho: float = combined_key(
+        lambda said: 0.0 if said.follower in FLAT_FACED else said.least_curvature, 0.0
+    )
     turns: str = key(v.TURNS, "which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
     pressure: float = combined_key(
         _pressure,

@@ -134,8 +134,9 @@ def _follower(order: CamTask) -> Iterator[Given]:
         yield Given("a_w", follower.centres, SIZE)
         if follower.face:
             yield Given("d", follower.face, SIZE)
-    if isinstance(follower, FlatFollower | FlatRockerFollower) and follower.least:
-        yield Given("[ρ]", follower.least, SIZE)
+    flat = isinstance(follower, FlatFollower | FlatRockerFollower)
+    if least := follower.least if flat else order.least_rho:
+        yield Given("[ρ]", least, SIZE)
 
 
 LETTERS_SIZE = HEIGHTS["A4"].point

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from support import gallery
@@ -148,3 +150,20 @@ def test_every_diagram_tells_the_scale_of_its_own_quantity() -> None:
     view = next(one for one in cam_views(work, True) if one.name == "cam-diagrams")
     told = [label.text.split(" = ")[0] for label in view.labels if label.text.startswith("μ_")]
     assert told == ["μ_S", "μ_{S′}", "μ_{S″}"]
+
+
+@pytest.mark.parametrize("follower", [RollerFollower(0.01), RollerFollower(edge=True)], ids=repr)
+def test_a_least_radius_of_curvature_of_the_theoretical_profile(follower: RollerFollower) -> None:
+    """Judged against the curvature by differences; below it, and with a larger r0, nothing is said."""
+    of = CamTask(**C6, r0=0.0521, follower=follower)
+    rho = 1.0 / curvatures(of, 0.0521, np.arange(0.0, 360.0, 0.05)).max()
+    for share, kinds in ((0.99, []), (1.01, ["sharp"])):
+        found = made(replace(of, least_rho=share * rho))
+        told = cam_findings(found.reading, found.cam)
+        assert [one.kind for one in told if one.kind == "sharp"] == kinds
+        for one in told:
+            if one.kind == "sharp":
+                assert one.value == pytest.approx(1000.0 * rho, rel=1e-3)
+                assert "take a larger r0" in one.says("en")
+    wider = made(replace(of, least_rho=1.01 * rho, r0=0.06))
+    assert not [f for f in cam_findings(wider.reading, wider.cam) if f.kind == "sharp"]
