@@ -200,8 +200,7 @@ def _pressure(
     if isinstance(cam.path, Lever):
         turn = cam.diagrams.turn
         for mark, way, limit in zip(cam.path.chart.ordinates, turn.ways, limits, strict=True):
-            own = [k for one in turn.like(way) for k in range(one.first, one.last + 1)]
-            gone = [k for k in own if not np.isfinite(reading[mark][0, k])]
+            gone = [k for k in turn.among(way) if not np.isfinite(reading[mark][0, k])]
             if gone:
                 place = turn.angles[gone[len(gone) // 2]]
                 found.append(CamFinding("no centre", place, float("nan"), limit, *sizes))

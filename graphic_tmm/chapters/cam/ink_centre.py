@@ -235,8 +235,7 @@ def _bounds(ink: CamInk, made: Centre, path: Lever, texts: tuple[str, str]) -> I
     rows = zip(made.limits, made.ends, texts, ink.cam.diagrams.turn.ways, strict=True)
     for limit, mark, text, phase in rows:
         ends = ink.all(mark)
-        like = ink.cam.diagrams.turn.like(phase)
-        for k in (k for one in like for k in range(one.first, one.last + 1)):
+        for k in ink.cam.diagrams.turn.among(phase):
             q, end = complex(points[k]), complex(ends[k])
             if finite(q, end):
                 turn = -path.sense * cmath.phase(end / lowest)

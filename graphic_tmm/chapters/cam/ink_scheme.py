@@ -50,12 +50,7 @@ def position_of(reading: Reading, cam: Cam) -> int:
     turn = cam.diagrams.turn
     mark = getattr(cam.centre, "pressure", None) or cam.diagrams.V.reading
     row = np.abs(reading.figure(mark)[0])
-    there = [
-        k
-        for one in turn.like(turn.rise)
-        for k in range(one.first, one.last + 1)
-        if np.isfinite(row[k])
-    ]
+    there = [k for k in turn.among(turn.rise) if np.isfinite(row[k])]
     return max(there, key=lambda k: row[k], default=turn.rise.first + turn.rise.parts // 2)
 
 

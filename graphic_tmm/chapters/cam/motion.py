@@ -210,7 +210,8 @@ def refuse_phases(phases: Sequence[Stage]) -> None:
     for k, one in enumerate(phases, 1):
         told = [name for name in ("rise", "dwell", "fall") if getattr(one, name) is not None]
         for wrong, says in (
-            (len(told) != 1, said("phase {k} is one of rise, dwell, fall: write one of them", k=k)),
+            (len(told) != 1 or one.angle <= 0.0,
+             said("phase {k} is one of rise, dwell, fall: write one of them", k=k)),
             (one.sign == 0 and (one.stroke is not None or one.law is not None),
              said("in phase {k} the follower rests: leave its stroke and its law out", k=k)),
             (one.sign != 0 and not (one.stroke or 0.0) > 0.0,

@@ -114,6 +114,10 @@ class Turn(NamedTuple):
         """Yield all rises, or all returns."""
         return (one for one in self.phases if one.sign == phase.sign)
 
+    def among(self, phase: Phase) -> list[int]:
+        """Return the positions of all rises, or of all returns."""
+        return [k for one in self.like(phase) for k in range(one.first, one.last + 1)]
+
     def rest(self, phase: Phase) -> float:
         """How long the follower rests behind a phase, degrees."""
         after = self.phases[(self.phases.index(phase) + 1) % len(self.phases)]

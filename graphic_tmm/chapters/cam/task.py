@@ -126,8 +126,9 @@ class CamTask:
     of them (and their laws) where there are several lifts. ``pressure``: the largest
     pressure angle allowed towards the side of the rise, ``pressure_return`` towards that of the return (the
     same if None); 90° less the least transmission angle. ``least_rho``: the least radius of curvature
-    allowed of the theoretical profile (m; 0: any), ``r0``: its least radius (m), ``roller``: the radius of the roller (m); None: the least, and the largest, allowed in whole
-    millimetres. ``share_of_r0`` and ``share_of_curvature`` bound the radius of the roller. A moving phase is
+    allowed of the theoretical profile (m; 0: any), ``r0``: its least radius (m), ``roller``: the radius of
+    the roller (m); None: the least, and the largest, allowed in whole millimetres. ``share_of_r0`` and
+    ``share_of_curvature`` bound the radius of the roller. A moving phase is
     divided into ``divisions`` parts, or the turn into about ``per_turn``. ``base`` and ``height``: the
     diagrams' length of a turn, and of the stroke unless ``mu_S`` says (m/mm or rad/mm). ``mu_V`` of dS/dφ is
     that of S, ``mu_A`` of d²S/dφ² a standard one, ``mu_l`` of centres and profile (m/mm) that of S (a

@@ -117,7 +117,8 @@ def _laws(order: CamTask) -> Iterator[Given]:
         of = "" if alike else f" {k}" if order.phases else f" of the {_WAYS[k]}"
         yield Given(f"given law{of}", f"law {law.name}")
         if law.shares != EVEN_SHARES:
-            yield Given(f"given shares{of}", "{:g} : {:g}".format(*law.shares))
+            name = "given shares" if alike else f"given shares {k}"
+            yield Given(name, "{:g} : {:g}".format(*law.shares))
         if alike:
             return
 

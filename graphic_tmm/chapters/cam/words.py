@@ -16,8 +16,6 @@ CAPTIONS: dict[str, str] = {
     "given law of the rise": said("Law of the rise"),
     "given law of the return": said("Law of the return"),
     "given shares": said("Speeding up : slowing down"),
-    "given shares of the rise": said("Speeding up : slowing down, rise"),
-    "given shares of the return": said("Speeding up : slowing down, return"),
     "law sine": said("sine"),
     "law cosine": said("cosine"),
     "law constant acceleration": said("constant acceleration"),
