@@ -101,7 +101,8 @@ KEYS = {
         "against",
     ),
     "least_curvature": key(
-        _NOT_NEGATIVE, "least radius of curvature: under a flat face, else of the theoretical profile", "5 mm", 0.0
+        _NOT_NEGATIVE, "least radius of curvature: under a flat face, else of the theoretical profile",
+        "5 mm", 0.0,
     ),
 }  # fmt: skip
 """The keys that `follower_of` reads."""

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.cam.motion import (
     names,
     refuse_phases,
 )
-from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, RockerFollower
+from graphic_tmm.chapters.cam.task import CamTask, RockerFollower
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -202,9 +202,7 @@ def _refuse_sizes(order: CamTask) -> None:
 
 
 def _refuse_choices(order: CamTask) -> None:
-    follower = order.follower
-    flat = isinstance(follower, FlatFollower | FlatRockerFollower)
-    _bounded("least_curvature", follower.least if flat else order.least_rho)
+    _bounded("least_curvature", order.allowed_rho)
     if order.spring is not None:
         _bounded("reserve", order.spring.reserve)
         if order.speed is None:

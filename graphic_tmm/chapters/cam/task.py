@@ -254,6 +254,13 @@ class CamTask:
         return isinstance(self.follower, RockerFollower | FlatRockerFollower)
 
     @property
+    def allowed_rho(self) -> float:
+        """The least radius of curvature allowed (m): under a flat face, else of the theoretical profile."""
+        if isinstance(self.follower, FlatFollower | FlatRockerFollower):
+            return self.follower.least
+        return self.least_rho
+
+    @property
     def stages(self) -> tuple[Stage, ...]:
         """The phases of the turn in order; of the usual cam four, dwells that are none among them."""
         return self.phases or (

@@ -135,9 +135,8 @@ def _follower(order: CamTask) -> Iterator[Given]:
         yield Given("a_w", follower.centres, SIZE)
         if follower.face:
             yield Given("d", follower.face, SIZE)
-    flat = isinstance(follower, FlatFollower | FlatRockerFollower)
-    if least := follower.least if flat else order.least_rho:
-        yield Given("[ρ]", least, SIZE)
+    if order.allowed_rho:
+        yield Given("[ρ]", order.allowed_rho, SIZE)
 
 
 LETTERS_SIZE = HEIGHTS["A4"].point

@@ -134,6 +134,8 @@ def test_a_position_that_is_not_there_is_refused_by_its_key(tmp_path: Path) -> N
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_note_tells_the_plans(kind: str, tmp_path: Path) -> None:
     work = graphic_tmm.draw(scene(tmp_path, f"{FOLLOWERS[kind]}\naccelerations = [4]"))
-    text = "".join(one.read_text() for one in work.note(tmp_path / "note.md") if one.suffix == ".md")
+    text = "".join(
+        one.read_text() for one in work.note(tmp_path / "note.md") if one.suffix == ".md"
+    )
     assert "Velocities of the replacing linkage" in text
     assert "Accelerations of the replacing linkage" in text
