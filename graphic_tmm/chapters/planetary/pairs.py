@@ -20,7 +20,6 @@ from graphic_tmm.chapters.planetary.dimensions import Dimensions
 from graphic_tmm.chapters.planetary.motion import motion_of
 from graphic_tmm.chapters.planetary.pictures import Disc, EndView
 from graphic_tmm.chapters.planetary.task import PlanetaryTask, Scheme
-from graphic_tmm.scene.declare import bound_of
 
 CONTACTS = "EFGKQRSTUV"
 """Letters of the points in which these wheels touch, row by row."""
@@ -59,11 +58,6 @@ class Pairs:
     teeth: Mapping[str, Mark]
     speeds: tuple[Mark, ...]
 
-    @property
-    def driving(self) -> Mark | None:
-        """The angular velocity on the shaft of the train, None if it is given itself."""
-        return self.speeds[-1] if self.speeds else None
-
 
 def rows_of(order: PlanetaryTask, scheme: Scheme, side: str) -> tuple[Row, ...]:
     """Return the rows "behind" or "before" a train, from it outward; numbers go on from its own."""
@@ -82,20 +76,13 @@ def rows_of(order: PlanetaryTask, scheme: Scheme, side: str) -> tuple[Row, ...]:
 def draw_pairs(
     draft: Draft, order: PlanetaryTask, scheme: Scheme, sizes: Dimensions, end: EndView
 ) -> Pairs:
-    """Draw the wheels before and behind the train; calculate the ratio of all.
-
-    Raises
-    ------
-    StructureError
-        If a tooth number is none.
-    """
+    """Draw the wheels before and behind the train; calculate the ratio of all."""
     motion, letters = motion_of(order), iter(CONTACTS)
     sides = {side: rows_of(order, scheme, side) for side in ("behind", "before")}
     teeth, outside, ratio = dict[str, Mark](), list[Outside](), sizes.ratio
-    for side, rows in sides.items():
+    for rows in sides.values():
         for row in rows:
             for name, count in zip(row.names, row.teeth, strict=True):
-                bound_of(PlanetaryTask, side).refuse("planetary", side, count)
                 teeth[name] = draft.take(Number, f"z_{index(name)}", float(count))
     ends = [
         (row.names[0], row.names[-1]) if side == "behind" else (row.names[-1], row.names[0])

@@ -7,7 +7,7 @@ on a line parallel to the axis segments proportional to the angular velocities.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
@@ -85,11 +85,11 @@ def draw_picture(
     scheme: Scheme,
     end: EndView,
     sizes: Dimensions,
-    driving: Mark | None = None,
+    before: Sequence[Mark] = (),
 ) -> VelocityPicture:
     """Draw the picture from two points of the satellite that are known, of A, its axis B and C.
 
-    ``driving``: the angular velocity of what drives, where it comes of wheels before the train.
+    ``before``: where wheels stand before the train, angular velocities up to that of what drives.
     """
     draft.open(VELOCITIES)
     mu = draft.scale("μ_v", "(m/s)/mm")
@@ -111,7 +111,7 @@ def draw_picture(
     )
     for member, given in motion.driving.items():
         at = points[member]
-        omegas[member] = driving or draft.take(Number, f"ω_{member}", given, "1/s")
+        omegas[member] = before[-1] if before else draft.take(Number, f"ω_{member}", given, "1/s")
         speeds[at] = draft.draw(product, f"v_{at}", omegas[member], arms[at], unit="m/s")
         readings[at] = draft.draw(to_board, f"{at}{at.lower()}", speeds[at])
         along = draft.draw(

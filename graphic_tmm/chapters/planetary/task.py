@@ -174,16 +174,15 @@ def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
 
 
 def _rows(value: object, names: Names) -> tuple[tuple[int, ...], ...]:
-    listed = value if isinstance(value, list) else [value]
-    several = bool(listed) and all(isinstance(one, list) for one in listed)
+    several = isinstance(value, list) and any(isinstance(one, list) for one in value)
     try:
-        rows = [_teeth(one, names) for one in (listed if several else [listed])]
+        rows = [_teeth(row, names) for row in (value if several else [value])]  # type: ignore[attr-defined]
     except ValueError:
         rows = [(None,)]
     if any(None in row for row in rows):
         says = said("tooth numbers of a pair that stands already are wanted, [15, 25]")
         raise ValueError(stands(value, says))
-    return tuple(tuple(z for z in row if z is not None) for row in rows if row)
+    return tuple(row for row in rows if row)  # type: ignore[misc]
 
 
 def _speeds(value: object, names: Names) -> float | tuple[float, ...]:
@@ -230,8 +229,8 @@ _ASKED = Kind(
     },
     TEETH,
 )
-_WHEELS: dict[str, Any] = {"type": "array", "items": dict(TEETH.schema)}
-_ROWS = Kind(_rows, {"anyOf": [_WHEELS, {"type": "array", "items": _WHEELS}]}, TEETH)
+_ROW = {"type": "array", "items": dict(TEETH.schema)}
+_ROWS = Kind(_rows, {"type": "array", "items": {"anyOf": [dict(TEETH.schema), _ROW]}}, TEETH)
 _SHAFTS = Kind(
     _satellites,
     {
