@@ -77,9 +77,8 @@ def rolling(
     bodies = mechanism.by_number
     for k, mesh in enumerate(mechanism.meshes):
         arms = [number for number in bearers(bodies, mesh) if number in known]
-        for own in (0, 1):
-            link, on = mesh.links[own], mesh.links[1 - own]
-            pin, other = mesh.centres[own], mesh.centres[1 - own]
+        ends = [*zip(mesh.links, mesh.centres, strict=True)]
+        for own, ((link, pin), (on, other)) in enumerate((ends, ends[::-1])):
             if not arms or on not in known or link in known:
                 continue
             pairs = held.get(link, [])
