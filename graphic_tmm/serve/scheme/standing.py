@@ -50,7 +50,7 @@ def standing_of(sketch: Sketch, doc: Document) -> Standing:
     if len(sketch["links"]) < 2:
         return Standing(says=SCHEME_WORDS["scheme begin"])
     drives = sketch["drives"]
-    given = ("title", "language", "units", "task", "lengths", "link", "drive")
+    given = ("title", "language", "units", "task", "lengths", "link", "mesh", "drive")
     lies = lying_document(sketch, {key: doc[key] for key in given if key in doc})
     undriven = {"link": sketch["links"][1]["number"], "speed": 0}
     lies["drive"] = drive_tables(doc, drives) if drives else undriven

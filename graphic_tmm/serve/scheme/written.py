@@ -28,7 +28,7 @@ SPAN = 0.15
 """A drive that slides goes so far to both sides of where it was drawn, of the size, until told else."""
 DEAD = 1e-6
 """Of a parallelogram the side is known up to its dead places: it is one, and was not drawn so by chance."""
-BARE = ("task", "lengths", "frame", "joints", "link", "drive")
+BARE = ("task", "lengths", "frame", "joints", "link", "mesh", "drive")
 """The sections that say where everything lies."""
 
 
