@@ -59,9 +59,12 @@ def failures(drawn: Drawn, language: str) -> Iterator[str]:
     made, _ = GEARS_PLAN.on(drawn), speaking(language)
     fails = [one for one in verdicts(made.checks, drawn.reading) if not one.holds]
     pointed = {one.wheel for one in fails if one.name == "pointed tooth"}
+    ringed = any(one.name == "ring tip" for one in fails)  # tells of the same tips
     ratio = drawn.value(made.sizes.contact_ratio)
     for one in fails:
         if one.name == "tip thickness" and one.wheel in pointed:
+            continue
+        if one.name == "interference" and ringed:
             continue
         mm = 1000.0 if one.unit == "m" else 1.0
         top = made.sizes.wheels[one.wheel - 1].top

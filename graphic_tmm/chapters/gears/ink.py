@@ -52,6 +52,12 @@ class MeshInk:
         self.angle = self.real(made.line.angle)
         self.way = cmath.rect(1.0, math.radians(self.angle))
 
+    @property
+    def reach(self) -> float:
+        """The radius of the arc of α_w, mm; N1N2 may be far longer than the teeth of a ring are broad."""
+        own = ANGLE * self.real(self.line.length)
+        return min(own, abs(self.ends[1] - self.limits[0])) if self.ring else own
+
     def at(self, mark: Mark) -> complex:
         """Where a point stands."""
         return spot(self.reading, mark)
@@ -168,7 +174,7 @@ def _limit(ink: MeshInk, k: int) -> Rule:
 
 def _angle(ink: MeshInk) -> Iterator[Ink]:
     """The common tangent and the angle α_w of the line of action with it."""
-    reach = ANGLE * ink.real(ink.line.length)
+    reach = ink.reach
     yield line("thin", ink.pole, ink.pole + reach + OVER)
     yield arc("thin", ink.pole, reach, 0.0, ink.angle)
     if reach * math.radians(ink.angle) > 3 * HEAD:
@@ -260,7 +266,7 @@ def _letters(ink: MeshInk, heights: Heights) -> Iterator[Wanted]:
         yield Wanted(end.letter, ink.at(end), point, 1.0, toward, (end.slot,))
     for mark in ink.made.contact.pair:
         yield Wanted(mark.letter, ink.at(mark), heights.number, TICK, 1j * ink.way, (mark.slot,))
-    middle = cmath.rect(ANGLE * ink.real(own.length), math.radians(ink.angle / 2))
+    middle = cmath.rect(ink.reach, math.radians(ink.angle / 2))
     yield Wanted(own.angle.letter, ink.pole + middle, point, 0.5, 1 + 0.2j, (own.angle.slot,))
     for wheel, engaged in zip(ink.made.wheels, ink.made.contact.wheels, strict=True):
         centre = ink.at(wheel.circles.centre)
