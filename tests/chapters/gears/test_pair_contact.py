@@ -213,12 +213,12 @@ def drawn_or_refused(order: GearTask) -> Pair | None:
     return None
 
 
-FEW = [pytest.param(seed, marks=() if seed < 18 else pytest.mark.slow) for seed in range(300)]
 CORNERS = {"undercut", "interference", "ring tip", "tip overlap", "clearance", "pointed tooth"}
 """Checks that tell of corners where this outline has no right shape, or overlaps."""
 
 
-@pytest.mark.parametrize("seed", FEW)
+@pytest.mark.turns(24)
+@pytest.mark.parametrize("seed", range(300))
 def test_flanks_touch_on_the_line_of_action_and_overlap_where_it_is_told(seed: int) -> None:
     order = random_order(seed)
     of = drawn_or_refused(order)
