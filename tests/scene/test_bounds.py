@@ -32,7 +32,7 @@ GOOD: Mapping[str, dict[str, Any]] = {
 }
 RECORDS = {"cam": CamTask, "gears": GearTask, "planetary": PlanetaryTask}
 TABLES = {"cam": "CamTable", "gears": "GearsTable", "planetary": "PlanetaryTable"}
-LISTED = {"stations", "behind", "teeth"}
+LISTED = {"stations", "behind", "before", "teeth"}
 SLIGHT = 1e-6
 
 
@@ -118,7 +118,7 @@ def _together(case: Case) -> dict[str, float]:
 def _accepted(folder: Path, case: Case) -> bool:
     """Whether a scene with the value is read; a refusal has to name the key and its line."""
     value: object = [case.value] if case.key in ("stations",) else case.value
-    value = [case.value, 20] if case.key == "behind" else value
+    value = [case.value, 20] if case.key in ("behind", "before") else value
     value = [case.value, "?", "?"] if case.key == "teeth" else value
     path = _written(folder, case.section, {**_together(case), case.key: value})
     faults = _faults(path)
@@ -169,7 +169,7 @@ FIELDS = {
 }
 
 
-OWN = ("behind", "mu_theta", "mu_l")
+OWN = ("mu_theta", "mu_l")
 """Keys of no field of an order that its refusals look at."""
 PLANNED = [case for case in CASES if case.key not in OWN]
 
@@ -182,8 +182,9 @@ def test_what_the_schema_tells_the_plan_takes(case: Case, tmp_path: Path) -> Non
         changed = replace(order, limits=limits)
     elif key == "reserve":
         changed = replace(order, spring=SpringTask(0.5, reserve=value), speed=30.0)
-    elif key in ("teeth", "satellites", "stations"):
+    elif key in ("teeth", "satellites", "stations", "behind", "before"):
         listed = {"teeth": (value, None, None), "satellites": (value,), "stations": (value,)}
+        listed |= dict.fromkeys(("behind", "before"), ((value, 20),))
         changed = replace(order, **{key: listed[key]})
     else:
         changed = replace(order, **_together(case) | {key: value})
