@@ -60,9 +60,8 @@ class Vectors(NamedTuple):
 
 
 class Linkage(NamedTuple):
-    """What replaces the cam on one arc: ``shares`` of the turn of work, at the ends; both its plans."""
+    """What replaces the cam on one arc: both its plans."""
 
-    shares: tuple[float, float]
     velocities: Vectors
     accelerations: Vectors
 
@@ -144,7 +143,7 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
         plans.read(accelerations, pick[by], letter)
         for by, letter in ((-SAME, "S″_{K}"), (SAME, "S″_{K+}"))
     )
-    linkages = {n: Linkage(spans[n], velocities[n], accelerations[n]) for n in bars}
+    linkages = {n: Linkage(velocities[n], accelerations[n]) for n in bars}
     return Plans(
         (poles[0], poles[1]),
         (scales[0], scales[1]),

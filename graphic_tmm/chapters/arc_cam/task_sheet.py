@@ -77,9 +77,14 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     if order is None:
         return
     _ = speaking(language)
-    yield _(_CONTOUR)
+    if not order.eccentric:
+        yield _(_CONTOUR)
     yield _(_FOLLOWER, n=order.parts)
     yield _(_DIAGRAMS)
+    if order.accelerations == ("all",):
+        yield _(_EVERY_PLAN)
+    elif order.accelerations:
+        yield _(_PLANS, positions=", ".join(order.accelerations))
 
 
 _CONTOUR = said(
@@ -94,6 +99,15 @@ _FOLLOWER = said(
 _DIAGRAMS = said(
     "The diagram of displacements is drawn, and those of velocities and accelerations of the "
     "follower by graphical differentiation."
+)
+
+
+_PLANS = said(
+    "The cam is replaced by a linkage whose plans of velocities and accelerations are drawn in the "
+    "positions {positions}."
+)
+_EVERY_PLAN = said(
+    "The cam is replaced by a linkage whose plans of velocities and accelerations are drawn in all positions."
 )
 
 

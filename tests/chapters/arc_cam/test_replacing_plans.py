@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -17,10 +18,13 @@ from graphic_tmm.chapters.arc_cam.ink import TRACELESS
 from graphic_tmm.chapters.arc_cam.linkage import ACCELERATIONS, VELOCITIES
 from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN
 from graphic_tmm.chapters.arc_cam.record import BESIDE
+from graphic_tmm.chapters.arc_cam.task import ArcTask, Flank
+from graphic_tmm.chapters.arc_cam.task_sheet import asks
 from graphic_tmm.chapters.arc_cam.views import arc_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.drawing import Stroke
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import make
 
 CAM = 'base = "20 mm"\ndistance = "22 mm"\nnose = "7 mm"\nflank = "60 mm"\n'
@@ -111,6 +115,14 @@ def test_at_a_change_of_arcs_both_accelerations_are_drawn(tmp_path: Path) -> Non
     view = next(one for one in arc_views(work, True) if one.name == ACCELERATIONS)
     letters = {label.text for label in view.labels}
     assert {"b′_{I}", "b′_{I+}"} <= letters
+
+
+def test_the_task_asks_for_them_by_their_positions() -> None:
+    order = ArcTask(0.02, 0.022, 0.007, Flank(0.06), Flank(0.06), accelerations=("3", "I"))
+    told = [*asks(Scene("", "T", "en").asking(arc_cam=order), "en")]
+    assert sum("in the positions 3, I." in one for one in told) == 1
+    plain = replace(order, accelerations=())
+    assert len([*asks(Scene("", "T", "en").asking(arc_cam=plain), "en")]) == len(told) - 1
 
 
 def test_without_positions_asked_for_there_is_no_plan_but_the_table(tmp_path: Path) -> None:
