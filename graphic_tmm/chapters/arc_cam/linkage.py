@@ -235,7 +235,7 @@ class _Plans:
         assert known.part is not None
         start, op = crank, parallel
         if bars.rod is not None:
-            size = draw(normal, f"n_{index}", known.part, mu_v, bars.rod, mu_l, mu_a)
+            size = draw(normal, f"{crank.name}n", known.part, mu_v, bars.rod, mu_l, mu_a)
             back = draw(parallel, f"(k′n_{index})", crank, bars.along, sense=-1, why=why.ROD)
             start, op = draw(lay_off, f"n_{index}", back, size, free=True, why=why.ROD), square
         elif way.arm is not None or not self.flat:
@@ -245,7 +245,7 @@ class _Plans:
                 assert way.arm is not None
                 turns = draw(rate, "ψ′", known.swing, mu_v, way.arm, mu_l, unit="rad")
                 sense = 1
-            size = draw(coriolis, "k_{B}", turns, known.part, mu_v, mu_a)
+            size = draw(coriolis, f"{crank.name}k", turns, known.part, mu_v, mu_a)
             turned = draw(square, f"({crank.name}k)", crank, bars.along, sense=sense)
             start = draw(lay_off, f"k_{index}", turned, size, free=True)
         own = start if start is not crank else None
@@ -253,7 +253,7 @@ class _Plans:
         foot, lever = pole, None
         if way.arm is not None:
             part = draw(measure, f"pb_{index}", self.poles[0], known.end)
-            size = draw(normal, "n_l", part, mu_v, way.arm, mu_l, mu_a)
+            size = draw(normal, "πm", part, mu_v, way.arm, mu_l, mu_a)
             inward = draw(parallel, "(πm)", pole, way.line, sense=-1, why=why.LEVER)
             lever = foot = draw(lay_off, f"m_{index}", inward, size, free=True, why=why.LEVER)
         across = parallel if way.arm is None else square
