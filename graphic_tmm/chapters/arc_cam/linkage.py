@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import coriolis, normal, rate, rescaled
 from graphic_tmm.board.operations.instruments import (
@@ -109,7 +108,7 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
     changes = (np.array(made.lie.changes) - made.lie.changes[0]) / made.lie.work
     shares = np.array(made.angles) / made.lie.work
     draft.open(VELOCITIES)
-    poles = [draft.take(Point, "p", 0j, role=roles.VELOCITY)]
+    poles = [draft.take(Point, "p", 0j)]
     scales = [draft.scale("μ_{v/ω}", "m/mm")]
     draft.lay_out(poles[0])
     plans = _Plans(draft, made, poles, scales)
@@ -131,7 +130,7 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
     }
     first = plans.read(velocities, pick[-SAME], "S′_{K}")
     draft.open(ACCELERATIONS)
-    poles.append(draft.take(Point, "π", 0j, role=roles.ACCELERATION))
+    poles.append(draft.take(Point, "π", 0j))
     scales.append(draft.scale("μ_{a/ω²}", "m/mm"))
     draft.lay_out(poles[1])
     accelerations = {}
