@@ -66,7 +66,7 @@ class Linkage(NamedTuple):
 
 
 class Plans(NamedTuple):
-    """Both plans: their poles, scale factors (m/mm), linkages by the arcs' names.
+    """Both plans: their poles, scale factors (m by a radian, or its square, a mm), linkages by the arcs' names.
 
     ``asked``: the positions (indices) in which they are drawn; ``names``: of all positions.
     ``first``: dS/dφ (m; of a lever 1); ``second``: d²S/dφ² before a change of arcs and behind it.
@@ -109,7 +109,7 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
     shares = np.array(made.angles) / made.lie.work
     draft.open(VELOCITIES)
     poles = [draft.take(Point, "p", 0j)]
-    scales = [draft.scale("μ_{v/ω}", "m/mm")]
+    scales = [draft.scale("μ_{v/ω}", "(m/rad)/mm")]
     draft.lay_out(poles[0])
     plans = _Plans(draft, made, poles, scales)
     bars, velocities = plans.bars_of, dict[str, Vectors]()
@@ -131,7 +131,7 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
     first = plans.read(velocities, pick[-SAME], "S′_{K}")
     draft.open(ACCELERATIONS)
     poles.append(draft.take(Point, "π", 0j))
-    scales.append(draft.scale("μ_{a/ω²}", "m/mm"))
+    scales.append(draft.scale("μ_{a/ω²}", "(m/rad²)/mm"))
     draft.lay_out(poles[1])
     accelerations = {}
     for name, one in bars.items():
