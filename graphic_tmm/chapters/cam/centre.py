@@ -164,11 +164,16 @@ def draw_centre(
     return made, Path(s0, e)
 
 
-def choose_radius(draft: Draft, order: CamTask, least: Mark) -> tuple[Mark, Mark]:
+def choose_radius(
+    draft: Draft, order: CamTask, least: Mark, *, face: bool = False
+) -> tuple[Mark, Mark]:
     """Return the radius r0 chosen, or the least one up to whole millimetres: its value and its length drawn."""
     if order.r0 is not None:
         r0 = draft.take(Number, "r_0", order.r0, "m")
     else:
+        if face:
+            smallest = draft.take(Number, "r_1", 0.001, "m")
+            least = draft.draw(f.greater_radius, "r", least, smallest, unit="m")
         r0 = draft.draw(f.whole_mm_above, "r_0", least, unit="m")
     return r0, draft.draw(to_board, "R_0", r0)
 
@@ -269,7 +274,7 @@ def draw_convexity(draft: Draft, order: CamTask, diagrams: Diagrams, of: FlatFol
     rho = draft.draw(to_board, "ρ_{min}", draft.take(Number, "[ρ]", of.least, "m"))
     low = draft.draw(total, "R_{0min}", need, rho)
     least = draft.draw(in_si, "r_{0min}", low, unit="m")
-    r0, radius = choose_radius(draft, order, least)
+    r0, radius = choose_radius(draft, order, least, face=True)
     radii = tuple(draft.draw(f.flat_radius, "ρ", radius, motion.S, second) for second in motion.A)
     ends = []
     for own, (_, first, last) in zip(points, diagrams.stretches, strict=True):

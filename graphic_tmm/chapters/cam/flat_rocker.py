@@ -133,7 +133,7 @@ def draw_face_region(
     if face is not None:
         low = draft.draw(f.below_face, "R_{0min}", low, face)
     least = draft.draw(in_si, "r_{0min}", low, unit="m")
-    r0, radius = choose_radius(draft, order, least)
+    r0, radius = choose_radius(draft, order, least, face=True)
     reach = radius if face is None else draft.draw(total, "R_0+d", radius, face)
     foot = draft.draw(lay_off, "F", down, reach)
     level = draft.draw(parallel, "(O)", foot, begin)

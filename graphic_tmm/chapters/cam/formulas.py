@@ -264,6 +264,11 @@ def whole_mm_above(length: Number) -> Number:
     return Number(np.ceil(1000.0 * length - _DIGITS) / 1000.0)
 
 
+@formula(why=said("Where any radius makes the profile convex enough a millimetre is taken."))
+def greater_radius(first: Number, second: Number) -> Number:
+    """max({first}, {second})"""
+
+
 @formula(why=said("A radius that may not be larger is rounded down to whole millimetres."))
 def whole_mm_below(length: Number) -> Number:
     """⌊1000·{length}⌋/1000"""

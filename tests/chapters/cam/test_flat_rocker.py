@@ -25,7 +25,7 @@ from support.scenes import written
 from graphic_tmm.board.findings import examine
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
-from graphic_tmm.chapters.cam.task import CamTask, Law
+from graphic_tmm.chapters.cam.task import CamTask, FlatFollower, Follower, Law
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.scene.read import read
 
@@ -106,6 +106,16 @@ def test_a_dwell_too_wants_its_least_radius() -> None:
     assert of.one(of.cam.profile.mu) * of.reading[of.cam.profile.working.lower].radius[
         0, 0
     ] == pytest.approx(of.one(of.cam.r0))
+
+
+@pytest.mark.parametrize("follower", [FlatRockerFollower(0.1), FlatFollower()], ids=repr)
+def test_where_any_radius_will_do_a_millimetre_is_taken(follower: Follower) -> None:
+    stroke = 0.03 if isinstance(follower, FlatRockerFollower) else 0.002
+    laws = {"rise_law": Law("cosine"), "return_law": Law("cosine")}
+    of = made(CamTask(stroke, 170.0, 10.0, 170.0, 10.0, follower=follower, **laws))
+    assert of.one(of.cam.least) <= 1e-9
+    assert of.one(of.cam.r0) == 0.001
+    assert not cam_findings(of.reading, of.cam)
 
 
 def random_order(draw: random.Random) -> CamTask:
