@@ -24,10 +24,10 @@ from graphic_tmm.chapters.cam.integral import Integral, draw_integral, lay_integ
 from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws import laws
 from graphic_tmm.chapters.cam.laws.ground import Ground
-from graphic_tmm.chapters.cam.motion import BY_DIAGRAM
 from graphic_tmm.chapters.cam.operations import in_turn, phase_end
 from graphic_tmm.chapters.cam.phases import Phase, Turn
 from graphic_tmm.chapters.cam.task import CamTask
+from graphic_tmm.chapters.cam.task_motion import BY_DIAGRAM
 
 VIEWS = {"S": "cam S", "V": "cam dS", "A": "cam ddS"}
 ROOM = 50.0

@@ -86,9 +86,15 @@ def dwells(ink: CamInk, contour: Figure) -> Iterator[Ink]:
             yield from body([made], "contour", [mark, before, after])
 
 
+def first_place(ink: CamInk, spot: complex) -> complex:
+    """Return where a point of the first position is as the turn begins: a dwell may go before it."""
+    angle = ink.cam.diagrams.turn.angles[0]
+    return spot * cmath.exp(1j * ink.cam.sense * math.radians(angle)) if angle else spot
+
+
 def follower(ink: CamInk, points: Complexes) -> Iterator[Ink]:
     """The follower in its lowest place, in full: roller and rod in a guide, lever, or face."""
-    start, made = complex(points[0]), ink.cam.profile
+    start, made = first_place(ink, complex(points[0])), ink.cam.profile
     if not np.isfinite(start):
         return
     radius = 0.0
@@ -97,17 +103,17 @@ def follower(ink: CamInk, points: Complexes) -> Iterator[Ink]:
         strokes = (circle("main", start, radius), circle("joint", start, PIN))
         yield from body(strokes, "roller", roller.marks, 0)
     for lever in ink.figures("lever"):
-        pivot = complex(ink.all(lever.marks[0])[0])
+        pivot = first_place(ink, complex(ink.all(lever.marks[0])[0]))
         strokes_ = (line("main", pivot, start), *fixed_pivot(pivot))
         yield from body(strokes_, "lever", lever.marks, 0)
         return
     for lever in ink.figures("face lever"):
-        pivot, foot = (complex(ink.all(mark)[0]) for mark in lever.marks[:2])
+        pivot, foot = (first_place(ink, complex(ink.all(m)[0])) for m in lever.marks[:2])
         yield from body(face_lever(ink, pivot, foot, start), "lever", lever.marks, 0)
         return
     for face in ink.figures("face"):
         feet = ink.all(face.marks[0])
-        start = complex(feet[0])
+        start = first_place(ink, complex(feet[0]))
         half = float(np.nanmax(np.abs(points - feet))) + 5.0
         yield from body([line("main", start - half, start + half)], "face", face.marks, 0)
     edge = made.roller is None and made.theoretical is not None
@@ -228,7 +234,7 @@ def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wa
     aside = np.array(ways)
     free = complex(-cam.sense)  # beside the follower no positions stand on this side
     lever = isinstance(cam.path, Lever | FaceLever)
-    if not lever and np.isfinite(points[0]):
+    if not lever and np.isfinite(points[0]) and cam.diagrams.turn.angles[0] == 0.0:
         spots = np.array(spots)
         spots[0] += (0.5 * WIDTH + 1.5) * free - 3.0j
         aside[0] = free
@@ -239,7 +245,7 @@ def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wa
     yield from numbered(ink, names.positions, mark, spots, aside, radius=1.6 if lever else 0.6)
     if made.roller is not None and np.isfinite(points[0]):
         edge = _edge(ink, points)[1]
-        way = edge - complex(points[0])
+        way = edge - _edge(ink, points)[0]
         of = (mark.slot, made.roller.slot)
         at = edge + 5.0 * way / abs(way)
         yield Wanted(names.roller, at, ink.heights.number, 0.5, free, of, 0)
@@ -253,7 +259,8 @@ def _letters(ink: CamInk, names: ProfileNames, points: Complexes) -> Iterator[Wa
 def _edge(ink: CamInk, points: Complexes) -> tuple[complex, complex]:
     """Where the arrow of the roller's radius begins and ends."""
     assert ink.cam.profile.roller is not None
-    start, radius = complex(points[0]), ink.fixed_number(ink.cam.profile.roller)
+    start = first_place(ink, complex(points[0]))
+    radius = ink.fixed_number(ink.cam.profile.roller)
     return start, start + radius * cmath.rect(1.0, math.radians(90.0 + ink.cam.sense * 55.0))
 
 

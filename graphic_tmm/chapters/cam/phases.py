@@ -10,7 +10,6 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.cam.motion import BY_DIAGRAM, SHARED, TURN, Law, Stage, drawn_laws, levels
 from graphic_tmm.chapters.cam.refusals import (
     SLACK,
     WHOLE,
@@ -23,6 +22,15 @@ from graphic_tmm.chapters.cam.refusals import (
     refuse,
 )
 from graphic_tmm.chapters.cam.task import CamTask
+from graphic_tmm.chapters.cam.task_motion import (
+    BY_DIAGRAM,
+    SHARED,
+    TURN,
+    Law,
+    Stage,
+    drawn_laws,
+    levels,
+)
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of

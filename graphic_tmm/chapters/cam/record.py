@@ -10,11 +10,11 @@ from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.laws import laws
-from graphic_tmm.chapters.cam.motion import BY_DIAGRAM, SHARED
 from graphic_tmm.chapters.cam.phases import Phase
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam, record
 from graphic_tmm.chapters.cam.refusals import risen
 from graphic_tmm.chapters.cam.task import CAM, CamTask, FlatFollower
+from graphic_tmm.chapters.cam.task_motion import BY_DIAGRAM, SHARED
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside

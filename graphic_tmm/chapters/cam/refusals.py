@@ -11,7 +11,8 @@ import numpy as np
 from graphic_tmm.board.bounds import POSITIVE, TaskError
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.kinds_spring import NO_SPEED
-from graphic_tmm.chapters.cam.motion import (
+from graphic_tmm.chapters.cam.task import CamTask, RockerFollower
+from graphic_tmm.chapters.cam.task_motion import (
     BY_DIAGRAM,
     EVEN_SHARES,
     SHARED,
@@ -21,7 +22,6 @@ from graphic_tmm.chapters.cam.motion import (
     names,
     refuse_phases,
 )
-from graphic_tmm.chapters.cam.task import CamTask, RockerFollower
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of

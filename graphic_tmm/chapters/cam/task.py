@@ -22,7 +22,7 @@ from graphic_tmm.chapters.cam.kinds import RockerFollower as RockerFollower
 from graphic_tmm.chapters.cam.kinds_spring import KEYS as SPRING_KEYS
 from graphic_tmm.chapters.cam.kinds_spring import SpringTask, spring_of
 from graphic_tmm.chapters.cam.kinds_spring import flaws as flaws_of_spring
-from graphic_tmm.chapters.cam.motion import (
+from graphic_tmm.chapters.cam.task_motion import (
     AS_GIVEN,
     BY_DIAGRAM,
     DWELL,

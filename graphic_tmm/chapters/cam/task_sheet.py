@@ -7,13 +7,13 @@ from collections.abc import Iterator
 from itertools import accumulate, pairwise
 
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower, RollerFollower
-from graphic_tmm.chapters.cam.motion import EVEN_SHARES, levels
 from graphic_tmm.chapters.cam.task import (
     ASKED,
     CamTask,
     FlatFollower,
     RockerFollower,
 )
+from graphic_tmm.chapters.cam.task_motion import EVEN_SHARES, levels
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, line

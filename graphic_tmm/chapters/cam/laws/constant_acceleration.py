@@ -14,7 +14,7 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.cam import words as why
 from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, foot_at, top, uprights
-from graphic_tmm.chapters.cam.motion import SHARED
+from graphic_tmm.chapters.cam.task_motion import SHARED
 
 
 def _outer(ground: Ground) -> float:
