@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,6 +21,7 @@ from support.cams import (
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.phases import divide
 from graphic_tmm.chapters.cam.task import (
+    ASKED,
     CamTask,
     FlatFollower,
     Follower,
@@ -28,7 +30,8 @@ from graphic_tmm.chapters.cam.task import (
     RollerFollower,
     Stage,
 )
-from graphic_tmm.errors import StructureError
+from graphic_tmm.errors import SceneError, StructureError
+from graphic_tmm.scene.read import read
 
 HUNDREDTH = 1e-5
 """0.01 mm, m: of 300 cams the worst was off by 0.0103 mm with 12 parts of a phase; it falls as 1/N⁴."""
@@ -207,3 +210,60 @@ def test_a_turn_may_begin_anywhere() -> None:
 def test_phases_that_make_no_turn_are_refused(phases: list[Stage], says: str) -> None:
     with pytest.raises(StructureError, match=says):
         divide(CamTask(0.03, 0.0, 0.0, 0.0, 0.0, phases=tuple(phases)))
+
+
+SCENE = """title = "T"
+language = "en"
+[cam]
+{keys}
+phase = [
+  {{ rise = 80, stroke = "20 mm" }}, {{ dwell = 40 }}, {{ fall = 90, stroke = "15 mm", law = "uniform" }},
+  {{ fall = 60, stroke = "5 mm", shares = [1, 2] }}, {{ dwell = 90 }},
+]
+"""
+
+
+def test_phases_take_what_they_do_not_say_from_the_cam(tmp_path: Path) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(SCENE.format(keys='law = "cosine"'))
+    of = ASKED.of(read(path))
+    assert of is not None
+    laws = [one.law for one in of.phases if one.law is not None]
+    assert [law.name for law in laws] == ["cosine", "constant velocity", "constant acceleration"]
+    assert laws[2].shares == (1.0, 2.0)
+    assert of.stroke == pytest.approx(0.02)
+    assert [one.angle for one in of.stages] == [80.0, 40.0, 90.0, 60.0, 90.0]
+
+
+@pytest.mark.parametrize(
+    ("keys", "old", "new", "says"),
+    [
+        ("rise = 80", "", "", "cam.rise: the phases of"),
+        ("return_law = 'sine'", "", "", "cam.return_law: the phases of"),
+        ("", '"5 mm"', '"5 deg"', "moves along its guide"),
+        ("", "dwell = 90", "dwell = 80", "lengthen them by 10°"),
+        ("", '"5 mm"', '"6 mm"', "change a stroke by 0.001"),
+        ("", 'stroke = "5 mm", ', "", "phase 4 needs a stroke"),
+        ("", "shares = [1, 2]", "law = 'sine', shares = [1, 2]", "only the law of constant"),
+        ("", "[1, 2]", "[1, 0]", "write the shares of speeding up"),
+        ("shares = [2, 1]", "", "", "cam.shares: only law"),
+        ("", "phase = [", "phases = [", "phases"),
+    ],
+)
+def test_phases_of_a_file_are_refused_by_key(
+    tmp_path: Path, keys: str, old: str, new: str, says: str
+) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text(
+        SCENE.format(keys=keys).replace(old, new, 1) if old else SCENE.format(keys=keys)
+    )
+    with pytest.raises(SceneError) as found:
+        read(path)
+    assert says in str(found.value)
+
+
+def test_a_cam_of_one_lift_still_needs_its_keys(tmp_path: Path) -> None:
+    path = tmp_path / "scene.toml"
+    path.write_text('title = "T"\nlanguage = "en"\n[cam]\nstroke = "20 mm"\nrise = 80\n')
+    with pytest.raises(SceneError, match='"fall" is missing'):
+        read(path)
