@@ -168,6 +168,6 @@ def test_what_a_leg_holds_on_to_is_refused_by_name() -> None:
 
 def test_a_known_group_is_refused_nowhere() -> None:
     b = board(lambda closing: closing)
-    assert parts(b.structure) == {"1": (1, 1), "2-3": (2, 3)}
+    assert parts(b.structure) == {"1": (1, 1, 0), "2-3": (2, 3, 0)}
     assert len(joints(b.positions.closings, driven(b.mechanism, b.structure))) == 4
     assert drawn_of(scene("offset-slider"))
