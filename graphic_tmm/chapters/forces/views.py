@@ -180,8 +180,7 @@ def _wheel_shown(made: Forces, solved: SolvedWheel) -> GroupFigure:
     (link,), unknown = solved.links, list[Reactive]()
     for part in solved.parts:
         assert part.side is not None
-        of = (part.value, part.arm, link) if part is solved.parts[0] else ()
-        unknown.append(Reactive(part.letter, solved.wheel.pitch, *part.side, *of))
+        unknown.append(Reactive(part.letter, solved.wheel.pitch, *part.side))
     pin = solved.reactions[1]
     unknown.append(Reactive(pin.letter, solved.wheel.leg.pivot, pin.tail, pin.head))
     acting = made.acting
