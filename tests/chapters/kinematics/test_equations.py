@@ -19,6 +19,8 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.ink_plans import draw_equations
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.views import acceleration_equations, velocity_equations
+from graphic_tmm.mechanism.groups import Group
+from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
 from graphic_tmm.readers.table import columns_of
 
@@ -71,11 +73,19 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
     assert list(equations(log, "nothing")) == []
 
 
+def equated(name: str, plan: str) -> list[Group | Rolling]:
+    """Groups and, on plans of accelerations, wheels: that of velocities reads a wheel off its pitch point."""
+    structure = KINEMATICS_PLAN.on(in_usual(name)).structure
+    return [*(structure.groups if plan == "velocities" else structure.attached)]
+
+
 @each("name, plan", PLANS)
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
-    groups = [f"II({g.name})" for g in KINEMATICS_PLAN.on(in_usual(name)).structure.groups]
+    groups = [
+        f"{'II' if isinstance(one, Group) else 'p4'}({one.name})" for one in equated(name, plan)
+    ]
     assert [e.group for e in found(name, plan)] == groups
     for equation in found(name, plan):
         assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
@@ -172,10 +182,11 @@ def test_no_heading_of_a_group_can_be_read_as_a_parallel(
 ) -> None:
     view = lettered(name, plan, language)
     assert not any(text.startswith("II") for text in view)
-    groups = [g.name for g in KINEMATICS_PLAN.on(in_usual(name)).structure.groups]
     heads = {"en": "group {} of class II:", "ru": "группа {} II класса:"}
+    wheels = {"en": "wheel {} with its higher pair:", "ru": "колесо {} с высшей парой:"}
     assert [text for text in view if text.endswith(":")] == [
-        heads[language].format(g) for g in groups
+        (heads if isinstance(one, Group) else wheels)[language].format(one.name)
+        for one in equated(name, plan)
     ]
 
 
