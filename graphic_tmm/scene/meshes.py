@@ -9,19 +9,19 @@ from graphic_tmm.scene.declare import Flaw, Path
 from graphic_tmm.scene.mechanism import Frame, Link, Mesh
 from graphic_tmm.scene.references import arm_only, no_link, of_link, unknown_letters
 from graphic_tmm.scene.sections import Parts, pairing
-from graphic_tmm.scene.weld import one_body
+from graphic_tmm.scene.weld import one_body, weld_faults
 
 APART = 1e-6
 """Pitch radii come to the distance of the centres within this share of it: lengths have few digits."""
 
 
 def mesh_faults(parts: Parts) -> Iterator[Flaw]:
-    """Yield what is wrong with wheels on links."""
+    """Yield what is wrong with wheels on links, where all links are in order."""
     links = [link for link in parts.links if link is not None]
+    if not parts.meshes or len(links) < len(parts.links) or any(weld_faults(parts)):
+        return
     welded = {link.number: link.weld.to for link in links if link.weld is not None}
     passive = {link.number for link in links if link.passive}
-    if len(links) < len(parts.links) or not set(welded.values()) <= {k.number for k in links}:
-        return
     bodies: dict[int, Frame | Link] = {link.number: link for link in one_body(links)}
     if parts.frame is not None:
         bodies[parts.frame.number] = parts.frame

@@ -19,7 +19,7 @@ from graphic_tmm.scene.moved import MARK
 from graphic_tmm.scene.references import MECHANISM, no_link, number_taken, outline, unknown_letters
 from graphic_tmm.scene.sections import LENGTHS
 from graphic_tmm.scene.splice import set_to, with_key
-from graphic_tmm.scene.tables import DeclaredTable, Named
+from graphic_tmm.scene.tables import DeclaredTable, Named, Several
 from graphic_tmm.scene.values import LINK_NUMBER
 
 
@@ -172,11 +172,20 @@ def _within(sort: Sort | None, value: Any, path: Path) -> Iterator[_Spot]:
             if isinstance(sort, Named) or _is_free(sort, key):
                 yield _Spot((*path, key), True, key, sort)
             yield from _within(inner(sort, value, key), one, (*path, key))
-    elif isinstance(value, list) and any(isinstance(one, dict) for one in value):
+    elif isinstance(value, list) and (
+        _is_of_names(sort) or any(isinstance(one, dict) for one in value)
+    ):
         for k, one in enumerate(value):
             yield from _within(inner(sort, value, k), one, (*path, k))
     elif sort is not None:
         yield _Spot(path, False, value, sort)
+
+
+def _is_of_names(sort: Sort | None) -> bool:
+    """Whether a list is one of names, each a value of its own."""
+    return (
+        isinstance(sort, Several) and isinstance(sort.each, Kind) and sort.each.renamed is not None
+    )
 
 
 def _is_free(sort: Sort | None, key: str) -> bool:

@@ -18,8 +18,8 @@ FAR = 5e-3
 def movable(one: Standing) -> Iterator[tuple[str, complex]]:
     """Every joint with a place 5 mm off; what a guide holds goes along it, its own before that of another."""
     for letter, at in one.places.items():
-        if one.mechanism.further and letter in one.mechanism.pins:
-            continue  # a second drive stands elsewhere as soon as the first does
+        if (one.mechanism.further or one.mechanism.meshes) and letter in one.mechanism.pins:
+            continue  # a second drive, or a wheel, stands elsewhere as soon as the first does
         ways = [*_held(one.drawn, letter, own=True), *_held(one.drawn, letter, own=False)]
         yield letter, at + (ways[0] if ways else FAR * (0.6 + 0.8j))
 

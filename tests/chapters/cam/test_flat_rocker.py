@@ -12,14 +12,13 @@ from support.cams import (
     C6,
     SHAPES,
     Made,
-    least_under_face,
     made,
     motion,
     outline,
     polygon,
-    radii_under_face,
     swung,
 )
+from support.flat_faces import least_under_face, radii_under_face
 from support.scenes import written
 
 from graphic_tmm.board.findings import examine
