@@ -27,7 +27,6 @@ ALLOWED = {
     # folders of scenes, and mechanisms to begin with, that are called so
     "commands/new.py: 'cam'",
     "commands/new.py: 'engine'",
-    "commands/new.py: 'planetary'",
     # the section of a scene with which weights begin to count, beside a scheme
     "serve/scheme/effects.py: 'forces'",
     # what motion is asked for: a word of the face, and of a place of sheets

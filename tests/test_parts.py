@@ -13,7 +13,7 @@ from support.command import invoke
 from support.gallery import SHEETS, made
 from support.scenes import source, written
 
-from graphic_tmm.chapters.planetary.plan import PLANETARY_PLAN
+from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
 from graphic_tmm.language.units import known
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.protocol import protocol

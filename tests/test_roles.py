@@ -39,7 +39,7 @@ ALLOWED = {
     # the side that closes a polygon is called by the force that its length was read for
     "readers/equations.py: closing.it.name.removeprefix('y_{')",
     # the sides of conditions are told once each, by what they are called
-    "chapters/planetary/table.py: found.setdefault(plain(mark.name), mark)",
+    "chapters/trains/table.py: found.setdefault(plain(mark.name), mark)",
     # words that stand for the name of a column
     "readers/result_table.py: words.get(column.letter)",
     "readers/text.py: captions(language).get(column.letter)",

@@ -17,8 +17,8 @@ from graphic_tmm.chapters.cam.refusals import refuse
 from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.gears.refusals import refuse_order
 from graphic_tmm.chapters.gears.task import GearTask
-from graphic_tmm.chapters.planetary.refusals import scheme_of
-from graphic_tmm.chapters.planetary.task import Limits, PlanetaryTask
+from graphic_tmm.chapters.trains.refusals import scheme_of
+from graphic_tmm.chapters.trains.task import Limits, PlanetaryTask
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.declare import Kind, keys_of
 from graphic_tmm.scene.new import schema

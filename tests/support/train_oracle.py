@@ -10,7 +10,7 @@ from fractions import Fraction as F
 
 import mpmath as mp  # type: ignore[import-untyped]
 
-from graphic_tmm.chapters.planetary.task import PlanetaryTask
+from graphic_tmm.chapters.trains.task import PlanetaryTask
 
 SENSES = {
     "ring": (1, -1),

@@ -1,0 +1,32 @@
+"""Which conditions the teeth of a train that is given break, in words."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
+from graphic_tmm.chapters.trains.record import BESIDE
+from graphic_tmm.chapters.trains.tooth_verdicts import check
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.readers.findings import Warned
+
+LOCKED = said(
+    "the train locks itself when {member} drives: losses take more power than is put in; let the other "
+    "shaft drive, or take another scheme"
+)
+
+
+def failures(drawn: Drawn, language: str) -> Iterator[str]:
+    """Yield each condition that is broken, a sentence each: the train moves, but cannot be made."""
+    made, _ = PLANETARY_PLAN.on(drawn), speaking(language)
+    for verdict in check(made.order, made.train):
+        if not verdict.holds:
+            yield _(verdict.text)
+    share = BESIDE.on(drawn).efficiency
+    if share is not None and not drawn.value(share) > 0.0:
+        yield _(LOCKED, member=made.motion.first)
+
+
+WARNINGS = Warned(failures)

@@ -1,0 +1,171 @@
+"""Pairs of wheels before and behind a planetary train in its kinematic scheme, with the module of the train.
+
+The first wheel of a row stands on the shaft of the train, its last one below; the first of the next row is
+on the shaft of that one. A wheel between the first and the last is an idler: it only turns the sense about.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import pitch_radius, to_board
+from graphic_tmm.board.operations.instruments import lay_off, parallel, square
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.trains import formulas as f
+from graphic_tmm.chapters.trains.dimensions import Dimensions
+from graphic_tmm.chapters.trains.motion import motion_of
+from graphic_tmm.chapters.trains.pictures import Disc, EndView
+from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme
+
+CONTACTS = "EFGKQRSTUV"
+"""Letters of the points in which these wheels touch, row by row."""
+
+
+class Row(NamedTuple):
+    """Wheels in mesh, from the shaft of the train outward: their numbers and teeth."""
+
+    names: tuple[str, ...]
+    teeth: tuple[int, ...]
+
+
+@dataclass(frozen=True)
+class Outside:
+    """Rows of wheels on one shaft of the train.
+
+    ``member``: whose shaft; ``stations``: where each row stands along the axis (Length, given), the first from
+    O, another from the row before; ``discs``: of every row its wheels by their numbers.
+    """
+
+    member: str
+    stations: tuple[Mark, ...]
+    discs: tuple[Mapping[str, Disc], ...]
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """All wheels outside the train: their ``ratio`` with it, without sign, None where none are.
+
+    ``teeth``: by the wheel. ``speeds``: where there are wheels before the train, the angular velocity given of
+    the first, then those of the shafts that follow, at the end that of the train's own shaft.
+    """
+
+    outside: tuple[Outside, ...]
+    ratio: Mark | None
+    teeth: Mapping[str, Mark]
+    speeds: tuple[Mark, ...]
+
+
+def rows_of(order: PlanetaryTask, scheme: Scheme, side: str) -> tuple[Row, ...]:
+    """Return the rows "behind" or "before" a train, from it outward; numbers go on from its own."""
+    number, found = len(scheme.wheels) + 1, []
+    for name in ("behind", "before"):
+        for teeth in getattr(order, name):
+            names = tuple(str(number + k) for k in range(len(teeth)))
+            number += len(teeth)
+            if name == side:
+                found.append(Row(names, teeth))
+    if side == "behind":
+        return tuple(found)
+    return tuple(Row(row.names[::-1], row.teeth[::-1]) for row in reversed(found))
+
+
+def draw_pairs(
+    draft: Draft, order: PlanetaryTask, scheme: Scheme, sizes: Dimensions, end: EndView
+) -> Pairs:
+    """Draw the wheels before and behind the train; calculate the ratio of all."""
+    motion, letters = motion_of(order), iter(CONTACTS)
+    sides = {side: rows_of(order, scheme, side) for side in ("behind", "before")}
+    teeth, outside, ratio = dict[str, Mark](), list[Outside](), sizes.ratio
+    for rows in sides.values():
+        for row in rows:
+            for name, count in zip(row.names, row.teeth, strict=True):
+                teeth[name] = draft.take(Number, f"z_{index(name)}", float(count))
+    ends = [
+        (row.names[0], row.names[-1]) if side == "behind" else (row.names[-1], row.names[0])
+        for side, rows in sides.items()
+        for row in rows
+    ]
+    for k, (first, last) in enumerate(ends, 1):
+        letter = "U_0" if k == len(ends) else f"U_{{0{k}}}"
+        assert ratio is not None
+        ratio = draft.draw(f.overall_ratio, letter, ratio, teeth[last], teeth[first])
+    for side, member in (("behind", motion.driven), ("before", motion.first)):
+        if sides[side]:
+            outside.append(_draw_rows(draft, sides[side], member, teeth, sizes, end, letters))
+    speeds = list[Mark]()
+    for row in reversed(sides["before"]):
+        first, last = row.names[-1], row.names[0]
+        if not speeds:
+            assert isinstance(order.speed, float | int)
+            speeds.append(draft.take(Number, f"ω_{index(first)}", float(order.speed), "1/s"))
+        op = f.rate_onward if len(row.names) % 2 else f.rate_back
+        letter = f"ω_{index(motion.first if row is sides['before'][0] else last)}"
+        own = (speeds[-1], teeth[first], teeth[last])
+        speeds.append(draft.draw(op, letter, *own, unit="1/s"))
+    return Pairs(tuple(outside), ratio if ends else None, teeth, tuple(speeds))
+
+
+def index(name: str) -> str:
+    """Return a wheel's number as it stands at a letter."""
+    return name if len(name) == 1 else f"{{{name}}}"
+
+
+def _draw_rows(
+    draft: Draft,
+    rows: Sequence[Row],
+    member: str,
+    teeth: Mapping[str, Mark],
+    sizes: Dimensions,
+    end: EndView,
+    letters: Iterator[str],
+) -> Outside:
+    module, shaft = draft.uses(sizes.radii["1"])[0], end.axis
+    stations, discs = list[Mark](), list[dict[str, Disc]]()
+    for row in rows:
+        letter = next(letters)
+        radii = []
+        for name in row.names:
+            real = draft.draw(pitch_radius, f"r_{index(name)}", module, teeth[name], unit="m")
+            radii.append(draft.draw(to_board, f"O_{index(name)}{letter}", real))
+        if discs:
+            before = [*discs[-1].values()][-1].centre
+            shaft = draft.draw(parallel, f"({before.letter})", before, end.axis, sense=1)
+        discs.append(_draw_row(draft, row, letter, radii, shaft, end.axis, stations))
+    for some in discs:
+        for wheel, disc in some.items():
+            draft.figure("pair", wheel, *disc)
+    return Outside(member, tuple(stations), tuple(discs))
+
+
+def _draw_row(
+    draft: Draft,
+    row: Row,
+    letter: str,
+    radii: Sequence[Mark],
+    shaft: Mark,
+    axis: Mark,
+    stations: list[Mark],
+) -> dict[str, Disc]:
+    """Draw wheels from a shaft downward, each below the one before; keep where the row stands."""
+    first, *others = row.names
+    stations.append(draft.ask(Length, f"x_{index(first)}", "mm"))
+    own = draft.draw(lay_off, f"O_{index(first)}", shaft, stations[-1])
+    down = draft.draw(square, f"(O_{index(first)}{letter})", own, axis, sense=-1)
+    contact = draft.draw(lay_off, letter, down, radii[0])
+    up = draft.draw(square, f"(O_{index(first)}{letter}_{index(first)})", own, axis, sense=1)
+    above = draft.draw(lay_off, f"{letter}_{index(first)}", up, radii[0])
+    discs = {first: Disc(contact, above, own)}
+    for name, radius in zip(others, radii[1:], strict=True):
+        onward = draft.draw(square, f"({contact.letter}O_{index(name)})", contact, axis, sense=-1)
+        other = draft.draw(lay_off, f"O_{index(name)}", onward, radius)
+        again = draft.draw(
+            square, f"(O_{index(name)}{letter}_{index(name)})", other, axis, sense=-1
+        )
+        below = draft.draw(lay_off, f"{letter}_{index(name)}", again, radius)
+        discs[name] = Disc(contact, below, other)
+        contact = below
+    return discs

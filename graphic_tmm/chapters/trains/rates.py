@@ -1,0 +1,223 @@
+"""The picture of linear velocities of a planetary train and, from it, the plan of angular velocities.
+
+At the level of a point stands its velocity; the points of a body on the line of centres end in one straight
+line, which passes through the level where the body stands. Rays from a pole parallel to these lines cut off
+on a line parallel to the axis segments proportional to the angular velocities.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import in_si, product, scale_of_derivative, to_board
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure_along,
+    meet,
+    parallel,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Length, Number
+from graphic_tmm.chapters.trains import formulas as f
+from graphic_tmm.chapters.trains import words as why
+from graphic_tmm.chapters.trains.dimensions import Dimensions, draw_held
+from graphic_tmm.chapters.trains.formulas import miss_of_ratio, ratio_of_segments
+from graphic_tmm.chapters.trains.motion import Motion
+from graphic_tmm.chapters.trains.pictures import EndView
+from graphic_tmm.chapters.trains.task import Scheme, Train
+
+VELOCITIES = "planetary-velocities"
+RATES = "planetary-rates"
+STANDS = "0"
+"""The frame, on the plan of a differential, in which no member stands."""
+
+
+@dataclass(frozen=True)
+class VelocityPicture:
+    """The picture of linear velocities.
+
+    ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it;
+    ``ends``: those of velocities, by the point; ``lines``: of the bodies that move, satellites as "2";
+    ``readings``: the velocities by point, laid off and the others measured (Length); ``speeds`` the same in
+    m/s; ``omegas``: what is given, 1/s, by the member.
+    """
+
+    mu: Mark
+    place: Mark
+    zeros: Mapping[str, Mark]
+    ends: Mapping[str, Mark]
+    lines: Mapping[str, Mark]
+    readings: Mapping[str, Mark]
+    speeds: Mapping[str, Mark]
+    omegas: Mapping[str, Mark]
+
+
+@dataclass(frozen=True)
+class Rates:
+    """The plan of angular velocities.
+
+    ``depth``: how far below the axis its line lies (Length, given); ``distance``: H of the pole (Length,
+    given); ``foot``: what stands; ``ends``, ``segments``, ``values`` (1/s): of the bodies that move. ``due`` by
+    Willis, ``drawn`` as measured: driving over driven, or a differential's third angular velocity, 1/s;
+    ``difference`` of both, %.
+    """
+
+    mu: Mark
+    depth: Mark
+    distance: Mark
+    pole: Mark
+    foot: Mark
+    ends: Mapping[str, Mark]
+    segments: Mapping[str, Mark]
+    values: Mapping[str, Mark]
+    due: Mark
+    drawn: Mark
+    difference: Mark
+
+
+def draw_picture(
+    draft: Draft,
+    motion: Motion,
+    scheme: Scheme,
+    end: EndView,
+    sizes: Dimensions,
+    before: Sequence[Mark] = (),
+) -> VelocityPicture:
+    """Draw the picture from two points of the satellite that are known, of A, its axis B and C.
+
+    ``before``: where wheels stand before the train, angular velocities up to that of what drives.
+    """
+    draft.open(VELOCITIES)
+    mu = draft.scale("μ_v", "(m/s)/mm")
+    draft.lay_out()
+    place = draft.ask(Length, "x_v", "mm")
+    origin = draft.draw(lay_off, "O", end.axis, place, why=why.ZERO)
+    zero = draft.draw(square, "(0)", origin, end.axis, sense=1, why=why.ZERO)
+    feet = {
+        letter: draft.draw(meet, letter, zero, level, why=why.ZERO)
+        for letter, level in end.levels.items()
+    }
+    points = {member: letter for letter, member in scheme.spots.items()}
+    arms = {at: sizes.radii.get(member, sizes.axes) for member, at in points.items()}
+    tips, readings, speeds, omegas = (
+        dict[str, Mark](),
+        dict[str, Mark](),
+        dict[str, Mark](),
+        dict[str, Mark](),
+    )
+    for member, given in motion.driving.items():
+        at = points[member]
+        omegas[member] = before[-1] if before else draft.take(Number, f"ω_{member}", given, "1/s")
+        speeds[at] = draft.draw(product, f"v_{at}", omegas[member], arms[at], unit="m/s")
+        readings[at] = draft.draw(to_board, f"{at}{at.lower()}", speeds[at])
+        along = draft.draw(
+            parallel,
+            f"({at}{at.lower()})",
+            feet[at],
+            end.levels[at],
+            sense=1,
+            why=why.KNOWN_VELOCITY,
+        )
+        tips[at] = draft.draw(lay_off, at.lower(), along, readings[at], why=why.KNOWN_VELOCITY)
+    known = [feet[points[motion.fixed]], *tips.values()] if motion.fixed else [*tips.values()]
+    letter = "".join(mark.letter for mark in known)
+    reason = why.SATELLITE_LINE if points.get(motion.fixed) == "C" else why.SATELLITE_OF_TWO
+    satellite = draft.draw(join, f"({letter})", *known, why=reason)
+    sought = sorted(
+        (
+            at
+            for at, member in scheme.spots.items()
+            if member not in (motion.fixed, *motion.driving)
+        ),
+        key=lambda at: scheme.spots[at] != motion.driven,
+    )
+    for at in sought:
+        tips[at] = draft.draw(meet, at.lower(), satellite, end.levels[at], why=why.SOUGHT_VELOCITY)
+    lines = {}
+    for body in sorted([*points, scheme.rims[0]], key=lambda body: (body == "H", body)):
+        if body == scheme.rims[0]:
+            lines[body] = satellite
+        elif body != motion.fixed:
+            tip = tips[points[body]]
+            lines[body] = draft.draw(join, f"(O{tip.letter})", origin, tip, why=why.BODY_LINE)
+    for at in sought:
+        readings[at] = draft.draw(
+            measure_along, f"{at}{at.lower()}", feet[at], tips[at], end.axis, why=why.VELOCITY_READ
+        )
+        speeds[at] = draft.draw(in_si, f"v_{at}", readings[at], unit="m/s")
+    ends = {point: tips[point] for point in points.values() if point in tips}
+    return VelocityPicture(mu, place, {"O": origin, **feet}, ends, lines, readings, speeds, omegas)
+
+
+def draw_rates(
+    draft: Draft,
+    motion: Motion,
+    train: Train,
+    end: EndView,
+    sizes: Dimensions,
+    picture: VelocityPicture,
+) -> Rates:
+    """Draw the plan of angular velocities below the picture; measure the ratio and compare it."""
+    draft.open(RATES)
+    distance = draft.ask(Length, "H_ω", "mm")
+    depth = draft.ask(Length, "y_ω", "mm")
+    mu = draft.draw(scale_of_derivative, "μ_ω", picture.mu, draft.mu_l, distance, unit="(1/s)/mm")
+    fixed = motion.fixed or STANDS
+    down = draft.draw(square, "(Oy)", picture.zeros["O"], end.axis, sense=-1, why=why.RATES_LINE)
+    foot = draft.draw(lay_off, fixed, down, depth, why=why.RATES_LINE)
+    line = draft.draw(parallel, "(ω)", foot, end.axis, sense=1, why=why.RATES_LINE)
+    below = draft.draw(square, f"({fixed}P)", foot, line, sense=-1, why=why.RATES_POLE)
+    pole = draft.draw(lay_off, "P", below, distance, why=why.RATES_POLE)
+    draft.lay_out(pole, mu)
+    ends, segments, values = {}, {}, {}
+    for body, drawn in picture.lines.items():
+        way = draft.draw(parallel, f"(P{body})", pole, drawn, sense=1, why=why.RATE_RAY)
+        ends[body] = draft.draw(meet, body, line, way, why=why.RATE_RAY)
+        segments[body] = draft.draw(
+            measure_along, f"s_{body}", foot, ends[body], line, why=why.RATE_READ
+        )
+        values[body] = draft.draw(in_si, f"ω_{body}", segments[body], unit="1/s")
+    driven = motion.driven
+    if sizes.ratio is not None:
+        letter = f"U′_{{{motion.first}{driven}}}"
+        drawn = draft.draw(ratio_of_segments, letter, segments[motion.first], segments[driven])
+        due = sizes.ratio
+        difference = draft.draw(miss_of_ratio, "ΔU", drawn, due, unit="%", why=why.COMPARED)
+    else:
+        due = _by_willis(draft, motion, train.scheme, sizes.teeth, picture.omegas)
+        drawn = values[driven]
+        difference = draft.draw(miss_of_ratio, "Δω", drawn, due, unit="%", why=why.COMPARED)
+    return Rates(mu, depth, distance, pole, foot, ends, segments, values, due, drawn, difference)
+
+
+def _by_willis(
+    draft: Draft,
+    motion: Motion,
+    scheme: Scheme,
+    z: Mapping[str, Mark],
+    omegas: Mapping[str, Mark],
+) -> Mark:
+    """Calculate the angular velocity of what is driven from two that are given."""
+    driven, (first, *others) = motion.driven, scheme.meshes
+    letter = f"ω′_{driven}"
+    given = dict(omegas)
+    if not others:
+        if motion.fixed:
+            given[motion.fixed] = draft.take(Number, f"ω_{motion.fixed}", 0.0, "1/s")
+        op = f.mesh_outside if first.sense > 0 else f.mesh_inside
+        held = draft.draw(op, f"U_{{{driven}1}}^{{H}}", z["1"], z[driven])
+        return draft.draw(f.rate_of_first, letter, held, given["1"], given["H"], unit="1/s")
+    if "H" not in scheme.members:
+        one, other = given
+        held = draw_held(draft, scheme, z, one, other)
+        carrier = draft.draw(f.rate_of_carrier, "ω′_H", held, *given.values(), unit="1/s")
+        held = draw_held(draft, scheme, z, driven, other)
+        return draft.draw(f.rate_of_first, letter, held, given[other], carrier, unit="1/s")
+    held = draw_held(draft, scheme, z, "1", motion.last)
+    op = {"1": f.rate_of_first, "H": f.rate_of_carrier}.get(driven, f.rate_of_last)
+    known = (given[name] for name in ("1", motion.last, "H") if name != driven)
+    return draft.draw(op, letter, held, *known, unit="1/s")

@@ -1,0 +1,224 @@
+"""What is said of the tooth numbers of one train: every condition by name, with its numbers."""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.chapters.trains import tooth_conditions as c
+from graphic_tmm.chapters.trains.motion import motion_of
+from graphic_tmm.chapters.trains.refusals import scheme_of
+from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme, Train, module_ratio
+from graphic_tmm.chapters.trains.tooth_conditions import Teeth, Truths
+from graphic_tmm.language.said import said
+
+CONDITIONS = ("ratio", "coaxial", "neighbours", "assembly", "undercut", "interference")
+"""The names of the conditions, in the order in which they are checked."""
+
+
+class Verdict(NamedTuple):
+    """One condition as checked.
+
+    Attributes
+    ----------
+    condition : str
+        One of `CONDITIONS`.
+    of : str
+        The wheel ("1"), or the mesh ("3-2"), that it speaks of; "" for the whole train.
+    holds : bool
+        Whether it is fulfilled.
+    found : float
+        What was found: the ratio, the number C of the assembly, tooth numbers, lengths in modules of the first
+        row.
+    text : str
+        The condition with its numbers, in words.
+    """
+
+    condition: str
+    of: str
+    holds: bool
+    found: float
+    text: str
+
+    @property
+    def stands(self) -> bool:
+        """Whether a shaft of the train cannot move."""
+        return self.condition == "ratio" and (self.found == 0.0 or not math.isfinite(self.found))
+
+
+def check(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
+    """Return the verdict of every condition on a train; the ratio is one if the order wants it.
+
+    Raises
+    ------
+    StructureError
+        If the order is not sound.
+    """
+    scheme_of(order)
+    scheme, found = train.scheme, [*_ratio(order, train)]
+    for pair in scheme.pairs:
+        z, q = _teeth(train, pair), module_ratio(order) if pair.rows == 2 else Fraction(1)
+        single = len(pair.meshes) == 1
+        if not (single and c.coaxial(pair, z, q)):
+            found.append(_coaxial(pair, z, q))
+        if pair == scheme.pairs[-1]:
+            found.append(_neighbours(order, Train(pair, (), train.satellites), z, q))
+        if not single:
+            found.append(_assembly(pair, train.satellites, z))
+        found += [*_undercut(order, pair, z), *_interference(order, pair, z)]
+    return tuple(dict.fromkeys(found))
+
+
+def _teeth(train: Train, pair: Scheme) -> Teeth:
+    z = dict(zip(train.scheme.wheels, train.teeth, strict=True))
+    return c.in_two_rows(pair, [z[wheel] for wheel in pair.wheels])
+
+
+def _said(fine: Truths) -> bool:
+    return bool(fine[0])
+
+
+def _whole(value: float) -> str:
+    return f"{value:g}"
+
+
+def _wheel(scheme: Scheme, name: str) -> str:
+    """Return the number of a wheel of the scheme, of its name in the form of two rows."""
+    return c.in_places(scheme)[int(name[1]) - 1]
+
+
+def _ratio(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
+    motion = motion_of(order)
+    rates = c.held_rates(train.scheme, dict(zip(train.scheme.wheels, train.teeth, strict=True)))
+    if not motion.fixed:
+        one, other = motion.driving
+        if rates[one] != rates[other]:
+            return ()
+        says = said(
+            "ratio: with the carrier held both central wheels turn alike: the train is locked"
+        )
+        return (Verdict("ratio", "", False, math.inf, says),)
+    found, name = float(c.ratio_of(motion, rates)), f"U_{motion.first}{motion.driven}"
+    holds = bool(c.fits(order, np.asarray(found)))
+    if order.ratio is None:
+        if holds:
+            return ()
+        stands = said("ratio: {name} = {found:g}: a shaft stands", name=name, found=found)
+        return (Verdict("ratio", "", False, found, stands),)
+    miss = 100.0 * (found / order.ratio - 1.0)
+    text = said(
+        "ratio: {name} = {found:.6g} is {miss:+.2g} % from {wanted:g}, {relation} {percent:.3g} %",
+        name=name,
+        found=found,
+        miss=miss,
+        wanted=order.ratio,
+        relation=said("within", context="tolerance")
+        if holds
+        else said("not within", context="tolerance"),
+        percent=100.0 * order.tolerance,
+    )
+    return (Verdict("ratio", "", holds, found, text),)
+
+
+def _coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Verdict:
+    (z1,), (z2,), (z3,), (z4,) = z
+    first, second = z1 + scheme.first * z2, float(q) * (z4 + scheme.second * z3)
+    signs = ["+" if sense > 0 else "−" for sense in (scheme.first, scheme.second)]
+    sides = [f"{z1} {signs[0]} {z2}", f"{z4} {signs[1]} {z3}"]
+    if q != 1:
+        sides[1] = f"({sides[1]})·{_whole(float(q))}"
+    holds = _said(c.coaxial(scheme, z, q))
+    fault = (
+        said(" is another distance of the axes") if first > 0 else said(": no distance of the axes")
+    )
+    text = said(
+        "coaxial: {first} = {distance}, {second} = {other}{fault}",
+        first=sides[0],
+        distance=_whole(first),
+        second=sides[1],
+        other=_whole(second),
+        fault="" if holds else fault,
+    )
+    return Verdict("coaxial", "", holds, float(second), text)
+
+
+def _neighbours(order: PlanetaryTask, train: Train, z: Teeth, q: Fraction) -> Verdict:
+    scheme, k = train.scheme, train.satellites
+    (z1,), (z2,), _, _ = z
+    holds = _said(c.neighbours(scheme, z, k, q, order.ha))
+    if k == 1:
+        alone = said("neighbours: a single satellite has none")
+        return Verdict("neighbours", "", holds, math.inf, alone)
+    (axes,), (tips,) = c.room(scheme, z, k, q, order.ha)
+    sign = "+" if scheme.first > 0 else "−"
+    touch = said(" is not greater than {tips:g}: satellites touch", tips=tips)
+    text = said(
+        "neighbours: {formula} = {axes:.5g}{relation}",
+        formula=f"({z1} {sign} {z2})·sin(180°/{k})",
+        axes=axes,
+        relation=f" > {tips:g}" if holds else touch,
+    )
+    return Verdict("neighbours", "", holds, float(axes), text)
+
+
+def _assembly(scheme: Scheme, k: int, z: Teeth) -> Verdict:
+    number, holds = c.assembly(scheme, z, k), _said(c.assembles(scheme, z, k))
+    (found,) = number.results()
+    text = said(
+        "assembly: {formula} = {found:.6g} is {whole}",
+        formula=number.said(),
+        found=found,
+        whole=said("whole", context="assembly") if holds else said("not whole", context="assembly"),
+    )
+    return Verdict("assembly", "", holds, float(found), text)
+
+
+def _undercut(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
+    made = []
+    for name in c.external(scheme):
+        (count,), wheel = getattr(z, name), _wheel(scheme, name)
+        holds = bool(count >= order.limits.least)
+        text = said(
+            "undercut: {number} = {count} is {relation} {least}",
+            number=f"z{wheel}",
+            count=count,
+            relation=said("not less than", context="teeth")
+            if holds
+            else said("less than", context="teeth"),
+            least=order.limits.least,
+        )
+        made.append(Verdict("undercut", wheel, holds, float(count), text))
+    return tuple(made)
+
+
+def _interference(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdict, ...]:
+    made = []
+    for ring, rim in c.internal(scheme):
+        outer, inner = getattr(z, ring), getattr(z, rim)
+        names = _wheel(scheme, ring), _wheel(scheme, rim)
+        mesh = "-".join(names)
+        between, least = int(outer[0] - inner[0]), order.limits.difference
+        holds = between >= least
+        text = said(
+            "interference: {difference} = {between} is {relation} {least}",
+            difference=f"z{names[0]} − z{names[1]}",
+            between=between,
+            relation=said("not less than", context="teeth")
+            if holds
+            else said("less than", context="teeth"),
+            least=least,
+        )
+        made.append(Verdict("interference", mesh, holds, float(between), text))
+        holds = _said(c.clear_roots(outer, inner, order.alpha, order.ha))
+        text = said(
+            "interference: {number} = {teeth}: its tips are {where} the roots of {inner} teeth",
+            number=f"z{names[0]}",
+            teeth=outer[0],
+            where=said("clear of", context="tips") if holds else said("in", context="tips"),
+            inner=inner[0],
+        )
+        made.append(Verdict("interference", mesh, holds, float(outer[0]), text))
+    return tuple(made)
