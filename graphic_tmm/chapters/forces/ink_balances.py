@@ -10,7 +10,7 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.statics import moment, on_lever, tangential
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Length
+from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.ink_equations import Row
@@ -76,7 +76,8 @@ class Writer:
 
     def figure(self, mark: Mark) -> str:
         """Return the size of a mark, without its sign."""
-        return number(abs(self.value(mark)), self.language)
+        degrees = unit("°", self.language) if mark.kind is Angle else ""
+        return f"{number(abs(self.value(mark)), self.language)}{degrees}"
 
     def value(self, mark: Mark) -> float:
         """Return the value of a mark, as it may be told."""

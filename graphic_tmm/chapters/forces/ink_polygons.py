@@ -107,6 +107,9 @@ class _Sides:
 
     def closing(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """The side that closes a polygon without unknown lines: the frame's reaction, as measured."""
+        if step.it in self.across:
+            yield from self.measured(seen, step, k)
+            return
         for letter, tail, head in self.found:
             yield from self.arrow(letter, tail, head, k, "main")
 

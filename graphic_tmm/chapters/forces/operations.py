@@ -96,7 +96,7 @@ def tooth_across(moment_: Number, length: Length, mu_l: Number) -> Number:
     )
 )
 def tooth_inwards(across: Number, alpha: Angle) -> Number:
-    """−|{across}|·tan({alpha})"""
+    """−|{across}|·tan {alpha}"""
 
 
 @formula(
@@ -106,4 +106,4 @@ def tooth_inwards(across: Number, alpha: Angle) -> Number:
     )
 )
 def tooth_outwards(across: Number, alpha: Angle) -> Number:
-    """|{across}|·tan({alpha})"""
+    """|{across}|·tan {alpha}"""

@@ -93,6 +93,8 @@ class Survey:
     def rolls_on(self) -> bool:
         """Whether a wheel is not back where it was after a turn of the drive: its ratio is no whole number."""
         wheels, sweep = self.positions.wheels, self.pairs[0].sweep
+        if not wheels:
+            return False
         reading = self.at(np.array([[sweep.low, sweep.high]]), [one.angle for one in wheels])
         turns = [float(np.diff(reading[one.angle])[0, 0]) / TURN.high for one in wheels]
         return any(abs(turn - round(turn)) > WHOLE for turn in turns if np.isfinite(turn))
