@@ -33,10 +33,11 @@ EVERYDAY = ("cam", "crank-press", "engine")
 
 def traceless() -> dict[str, set[str]]:
     """The operations that leave no trace by name, by the chapter that says so."""
-    found: dict[str, set[str]] = {}
+    names = {one.folder: one.name for one in chapters()}
+    found: dict[str, set[str]] = {name: set() for name in names.values()}
     for module in walk_packages(book.__path__, f"{book.__name__}."):
         own = getattr(import_module(module.name), "TRACELESS", ())
-        found.setdefault(module.name.split(".")[2], set()).update(own)
+        found[names[".".join(module.name.split(".")[:3])]].update(own)
     return found
 
 
