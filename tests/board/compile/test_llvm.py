@@ -224,7 +224,7 @@ ONLY_EXECUTED = {
     *("turn_between", "measure_arc", "along_arc", "around_outer"),
     *("whole_mm", "next_ratio", "next_standard", "next_standard_length", "nearest_standard"),
     *("common_divisor", "involute", "angle_of_involute", "pointed_involute", "working_involute"),
-    "tip_thickness",
+    *("tip_thickness", "working_involute_inside", "ring_thickness_at", "gap_of_corners"),
 }
 """Operations that look into tables, search, or count turns: no curve, nor across, and yet not noted."""
 
