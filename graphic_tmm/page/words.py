@@ -155,6 +155,7 @@ PARTS: dict[str, str] = {
     "guide": said("guides"),
     "hatching": said("hatching"),
     "leader": said("leaders of letters"),
+    "lever": said("levers"),
     "limit": said("limits"),
     "link": said("links"),
     "mean": said("mean values"),
@@ -176,6 +177,7 @@ PARTS: dict[str, str] = {
     "stone": said("stones"),
     "tooth": said("teeth"),
     "turning": said("sense of the crank"),
+    "vector": said("vectors"),
     "wheel": said("wheels"),
 }
 """By what a stroke is a part of (`Stroke.part`)."""

@@ -16,7 +16,7 @@ from support.formula_reader import UNIT, Rounded, Undecided, degrees, expression
         ("2π/{a}", '2*pi/V["a"]'),
         ("|{a} − {b}|/|{b}|", 'abs(V["a"] - V["b"])/abs(V["b"])'),
         ("sin² {a}/cos {a}", '(sin(V["a"]))**2/cos(V["a"])'),
-        ("⌈1000·{a}⌉ + √({b})", 'ceil(1000*V["a"]) + sqrt((V["b"]))'),
+        ("⌈1000·{a}⌉ + √({b})", 'ceil(1000*V["a"]) + sqrt(V["b"])'),
         ("360°·{a}", '(360*degree)*V["a"]'),
         ("{a} ± {b}", 'V["a"]'),
         ("{a}·q, q = {b}/{c}", 'V["a"]*(V["b"]/V["c"])'),
