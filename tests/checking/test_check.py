@@ -83,9 +83,9 @@ def test_a_photograph_is_laid_under_its_sheet(tmp_path: Path) -> None:
 
 
 def test_a_reading_of_what_has_no_figure_is_noted_and_not_judged(tmp_path: Path) -> None:
-    """A train 8 km large is drawn to no scale that leaves a digit of its ratio."""
+    """Teeth 80 km large are drawn to no scale that leaves a digit of the ratio; of 8 km two are left."""
     text = source("planetary")
-    huge = written(tmp_path, text.replace('"8 mm"', '"8000000.0 mm"'))
+    huge = written(tmp_path, text.replace('"8 mm"', '"80000000.0 mm"'))
     rows = tmp_path / "readings.csv"
     rows.write_text("plan,position,segment,mm,value,unit\nresults,,planetary_ratio_drawn,,4.56,1\n")
     found = check(read(huge), read_readings(rows), trials=20)
