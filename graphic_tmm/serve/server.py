@@ -129,4 +129,5 @@ class _Server(uvicorn.Server):
     def handle_exit(self, sig: int, frame: FrameType | None) -> None:
         self._captured_signals.append(sig)
         self.should_exit = self.force_exit = True
-        self._desk.close()
+        # a signal may come while a task is handed to a thread, whose lock ending it would wait for
+        asyncio.get_running_loop().call_soon_threadsafe(self._desk.close)
