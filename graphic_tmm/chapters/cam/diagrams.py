@@ -15,7 +15,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Axes, Base
 from graphic_tmm.board.operations.formulas import to_board, turn_per_mm
 from graphic_tmm.board.operations.graph_curves import graph_of_stretch
-from graphic_tmm.board.operations.instruments import lay_off, measure_along, parallel, square
+from graphic_tmm.board.operations.instruments import join, lay_off, measure_along, parallel, square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.chapters.cam import formulas as f
@@ -259,10 +259,12 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes, low: Mark | None)
         at = draft.take(Angle, f"φ_{name}", angle, "°")
         x = draft.draw(f.along_turn, f"x_{name}", at, length)
         feet.append(draft.draw(lay_off, name, axes.along, x, free=True, why=why.PHASE_FOOT))
-    if low is not None:
-        feet = [_over(draft, axes, foot, low) for foot in feet]
-    near, far = feet
-    inward = draft.draw(parallel, "(o)", near, axes.along, sense=phase.sign)
+    if low is None:
+        near, far = feet
+        inward = draft.draw(parallel, "(o)", near, axes.along, sense=phase.sign)
+    else:
+        near, far = (_over(draft, axes, foot, low) for foot in feet)
+        inward = draft.draw(join, "(oe)", near, far, why=why.LEVEL)
     out = draft.draw(parallel, "(o)", near, axes.along, sense=-phase.sign)
     whole = draft.draw(f.along_turn, "l", common.extents[k], length)
     divisions = []
