@@ -1,0 +1,245 @@
+"""The Geneva wheel as it stands when the pin enters: half a pitch, the square on it, the angle 2φ."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.instruments import (
+    incline,
+    join,
+    lay_off,
+    measure,
+    meet,
+    ray,
+    square,
+)
+from graphic_tmm.board.operations.supports import swung
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.geneva import formulas as f
+from graphic_tmm.chapters.geneva import words as why
+from graphic_tmm.chapters.geneva.task import ASKED, GENEVA, GenevaTask
+from graphic_tmm.chapters.kinematics.drives.crank import Crank
+from graphic_tmm.chapters.kinematics.drives.rack import Rack
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
+from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Recorded
+
+PIN, FREE = 0.15, 1.5
+"""Diameter of a pin that a scene does not give, of the crank; by how many of them the disc is smaller."""
+ANGLES = 0.01
+"""A position this near to the entry or the exit, degrees, is in it: crank angles are written so at best."""
+CLEAR = 1e-9
+"""A slot that passes the wheel's centre by less than this share of the distance of centres goes through it."""
+
+
+class Crossing(NamedTuple):
+    """Where the pin enters or leaves: the line of the slot from the wheel's centre, the place on it."""
+
+    slot: Mark
+    at: Mark
+
+
+@dataclass(frozen=True)
+class Geneva:
+    """The wheel as drawn about its ``centre``, the crank's ``origin``; lengths on the board unless told else.
+
+    ``due``: the crank that is wanted, ``given``: that of the scene (Number, m); ``half``: of a pitch,
+    ``engaged``: the angle of engagement (Angle); ``apart``: of the centres; ``rim``, ``bottom``: how far
+    slots begin and end from the centre; ``share``, ``by_slots``: of motion in a turn, as measured and by the
+    number of slots; ``fastest``: the greatest ratio of angular velocities; ``motion``, ``dwell``: times (s),
+    None where the crank stands or its speed varies.
+    """
+
+    order: GenevaTask
+    sense: int
+    origin: Mark
+    centre: Mark
+    entry: Crossing
+    exit: Crossing
+    apart: Mark
+    crank: Mark
+    pin: Mark
+    lock: Mark
+    rim: Mark
+    bottom: Mark
+    half: Mark
+    engaged: Mark
+    due: Mark
+    given: Mark
+    share: Mark
+    by_slots: Mark
+    fastest: Mark
+    motion: Mark | None
+    dwell: Mark | None
+
+
+GENEVA_PLAN: Recorded[Geneva] = Recorded(GENEVA)
+
+
+class _Parts(NamedTuple):
+    """Letters of the crank's centre and pin, of the wheel's centre; the way between both centres (m)."""
+
+    origin: str
+    pin: str
+    centre: str
+    apart: complex
+
+
+def hollow(
+    apart: float, rim: float, lock: float, pin: float, slots: int
+) -> tuple[float, float] | None:
+    """Return half the angles of a hollow of the rim, seen from the wheel's centre and from its own (rad).
+
+    None where it would cut into the slots, or the disc does not reach the rim: a disc that goes free of the pin
+    does neither.
+    """
+    at = (apart**2 + rim**2 - lock**2) / (2.0 * apart * rim)
+    wide = (apart**2 + lock**2 - rim**2) / (2.0 * apart * lock)
+    if not (abs(at) < 1.0 and abs(wide) < 1.0 and pin < rim):
+        return None
+    half = math.acos(at)
+    return (half, math.acos(wide)) if half < math.pi / slots - math.asin(pin / rim) else None
+
+
+def record(bench: Bench) -> Geneva | None:
+    """Draw the Geneva wheel of the mechanism.
+
+    Raises
+    ------
+    StructureError
+        If no crank drives a stone in a slot through the wheel's pivot, or positions lie beyond the engagement.
+    """
+    order = ASKED.of(bench.scene)
+    if order is None:
+        return None
+    plans = KINEMATICS_PLAN.on(bench)
+    parts = _parts(plans)
+    _refuse_beyond(bench, order, plans, parts)
+    return _draw(bench.draft, order, plans, parts)
+
+
+def _draw(draft: Draft, order: GenevaTask, plans: KinematicPlans, parts: _Parts) -> Geneva:
+    crank_pair, sense = _crank(plans), plans.sense
+    draft.open(GENEVA)
+    origin = draft.take(Point, parts.origin, 0j)
+    draft.lay_out(origin)
+    name = f"{parts.origin}{parts.centre}"
+    way = draft.direction(math.degrees(cmath.phase(parts.apart)))
+    line = draft.draw(ray, f"({name})", origin, way)
+    apart = draft.length(name, abs(parts.apart))
+    centre = draft.draw(lay_off, parts.centre, line, apart, why=why.CENTRES)
+    back = draft.draw(join, f"({parts.centre}{parts.origin})", centre, origin)
+    z, pins = (
+        draft.take(Number, "z", float(order.slots)),
+        draft.take(Number, "k", float(order.pins)),
+    )
+    half = draft.draw(f.half_pitch, "β", z, unit="°")
+    other = draft.draw(f.other_side, "−β", half, unit="°")
+    turns = (half, other) if sense > 0 else (other, half)
+    entry, exit_ = (
+        _crossing(draft, parts, origin, back, turn, k) for k, turn in enumerate(turns, 1)
+    )
+    rim = draft.draw(measure, f"{parts.centre}E_1", centre, entry.at)
+    ends = (origin, entry.at, origin, exit_.at)
+    engaged = draft.draw(swung, "2φ", *ends, unit="°", sense=sense)
+    crank = draft.length(f"{parts.origin}{parts.pin}", abs(crank_pair.arm))
+    due = draft.draw(f.crank_due, "R", draft.uses(apart)[0], half, unit="m")
+    size = order.pin if order.pin is not None else PIN * abs(crank_pair.arm)
+    pin = draft.length("r_{p}", size / 2.0)
+    held = order.lock if order.lock is not None else abs(crank_pair.arm) - FREE * size
+    lock = draft.length("r_{l}", held)
+    bottom = draft.draw(f.slot_bottom, "r_{b}", apart, crank, pin)
+    middle = draft.draw(lay_off, "M", line, crank)
+    rest = draft.draw(measure, f"{parts.centre}M", centre, middle)
+    fastest = draft.draw(f.fastest, "u", crank, rest)
+    share = draft.draw(f.share_of_motion, "τ", pins, engaged)
+    by_slots = draft.draw(f.share_by_slots, "τ′", pins, z)
+    motion = dwell = None
+    speed = plans.mechanism.drive.speed
+    if speed and not plans.mechanism.drive.rates:
+        omega = draft.take(Number, f"ω_{crank_pair.link}", speed, "1/s")
+        motion = draft.draw(f.time_of_motion, "t_{m}", engaged, omega, unit="s")
+        dwell = draft.draw(f.time_of_dwell, "t_{d}", pins, omega, motion, unit="s")
+    return Geneva(
+        order, sense, origin, centre, entry, exit_, apart, crank, pin, lock, rim, bottom, half, engaged, due,
+        draft.uses(crank)[0], share, by_slots, fastest, motion, dwell,
+    )  # fmt: skip
+
+
+def _crossing(
+    draft: Draft, parts: _Parts, origin: Mark, back: Mark, turn: Mark, k: int
+) -> Crossing:
+    """Draw a slot as it stands at the entry (1) or the exit (2), and where the pin is then."""
+    says = (why.SLOT_AT_ENTRY, why.SLOT_AT_EXIT)[k - 1]
+    name = f"{parts.centre}E_{k}"
+    centre = draft.uses(back)[0]
+    slot = draft.draw(incline, f"({name})", centre, back, turn, why=says)
+    across = draft.draw(square, f"({parts.origin}E_{k})", origin, slot)
+    return Crossing(slot, draft.draw(meet, f"E_{k}", across, slot, why=why.ENTRY))
+
+
+def _crank(plans: KinematicPlans) -> Crank:
+    pair = plans.pairs[0]
+    if not isinstance(pair, Crank) or isinstance(pair, Rack):
+        says = said("a crank has to drive it, whose pin slides in the slot of the wheel")
+        raise StructureError(says, "drive.link", head="geneva")
+    return pair
+
+
+def _parts(plans: KinematicPlans) -> _Parts:
+    """Find the wheel: the link with the slot in which a stone on the crank's pin slides."""
+    crank, mechanism = _crank(plans), plans.mechanism
+    for stone in mechanism.drawn:
+        for slide in stone.slides:
+            wheel = mechanism.by_number.get(slide.on)
+            if crank.pin not in stone.points or wheel is None or wheel is mechanism.frame:
+                continue
+            centre = next((one for one in wheel.points if one in mechanism.frame.points), None)
+            if centre is None:
+                continue
+            apart = _apart(mechanism, crank.pivot, centre)
+            guide = slide.guide
+            off = (wheel.points[centre] - guide.through) * cmath.rect(
+                1.0, -math.radians(guide.angle)
+            )
+            if abs(off.imag) > CLEAR * abs(apart) or slide.offset:
+                says = said(
+                    "the slot of link {n} has to go through its pivot {letter}",
+                    n=slide.on,
+                    letter=centre,
+                )
+                raise StructureError(says, "geneva", head="geneva")
+            return _Parts(crank.pivot, crank.pin, centre, apart)
+    says = said(
+        "no stone on the crank's pin {pin} slides in a wheel that turns about the frame; such a wheel is drawn "
+        "as a link with a slot",
+        pin=crank.pin,
+    )
+    raise StructureError(says, "geneva", head="geneva")
+
+
+def _apart(mechanism: Mechanism, origin: str, centre: str) -> complex:
+    return mechanism.frame.points[centre] - mechanism.frame.points[origin]
+
+
+def _refuse_beyond(bench: Bench, order: GenevaTask, plans: KinematicPlans, parts: _Parts) -> None:
+    """Refuse positions in which the pin is in no slot: there the wheel stands, a slotted link turns back."""
+    middle, half = math.degrees(cmath.phase(parts.apart)), 90.0 - 180.0 / order.slots
+    for name, angle in zip(bench.names, bench.coordinates, strict=True):
+        if angle is None or abs((angle - middle + 180.0) % 360.0 - 180.0) <= half + ANGLES:
+            continue
+        ends = (middle - half, middle + half)[:: plans.sense]
+        says = said(
+            "in position {name} the pin is out of the slot: it enters at {start:g}° and leaves at {end:g}°; "
+            'write from = "{start:g} deg", to = "{end:g} deg" and no zero',
+            name=name, start=round(ends[0], 3), end=round(ends[1], 3),
+        )  # fmt: skip
+        raise StructureError(says, "drive.from", head="geneva")

@@ -1,0 +1,45 @@
+"""What is asked of a Geneva wheel: its slots and pins, sizes of what is drawn (SI)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.board.bounds import Bound
+from graphic_tmm.scene import values as v
+from graphic_tmm.scene.declare import Section, key
+from graphic_tmm.scene.tasks import SectionKey
+
+GENEVA = "geneva"
+
+
+@dataclass(frozen=True)
+class GenevaTask:
+    """A wheel with ``slots`` that a crank's pin turns by one pitch and leaves: the slotted link of a mechanism.
+
+    ``pins``: on the crank's disc, evenly; ``pin``: their diameter (m), ``lock``: the radius of the disc that
+    holds the wheel meanwhile (m); None: as is usual for the crank.
+    """
+
+    slots: int = key(v.number(Bound(3, 24, whole=True)), "how many slots the wheel has", 4)
+    pins: int = key(
+        v.number(Bound(1, 6, whole=True)), "how many pins the crank's disc bears, evenly", 1, 1
+    )
+    pin: float | None = key(
+        v.POSITIVE_LENGTH, "the diameter of a pin; left out: 0.15 of the crank", "12 mm", None
+    )
+    lock: float | None = key(
+        v.POSITIVE_LENGTH,
+        "the radius of the disc that holds the wheel; left out: one and a half pins less than the crank",
+        "70 mm",
+        None,
+    )
+
+
+ASKED: SectionKey[GenevaTask] = SectionKey(GENEVA)
+
+SECTIONS = (
+    Section(
+        GENEVA, GenevaTask, "a Geneva wheel: the slotted link turns by one pitch and stands",
+        begin="slots = 4",
+    ),
+)  # fmt: skip
