@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import (
     incline,
     join,
@@ -51,15 +52,17 @@ class Crossing(NamedTuple):
 class Geneva:
     """The wheel as drawn about its ``centre``, the crank's ``origin``; lengths on the board unless told else.
 
-    ``due``: the crank that is wanted, ``given``: that of the scene (Number, m); ``half``: of a pitch,
-    ``engaged``: the angle of engagement (Angle); ``apart``: of the centres; ``rim``, ``bottom``: how far
-    slots begin and end from the centre; ``share``, ``by_slots``: of motion in a turn, as measured and by the
-    number of slots; ``fastest``: the greatest ratio of angular velocities; ``motion``, ``dwell``: times (s),
-    None where the crank stands or its speed varies.
+    ``apart``: of the centres, ``distance``: in m; ``due``: the crank that is wanted, ``given``: that of the
+    scene (Number, m); ``half``: of a pitch, ``engaged``: the angle of engagement (Angle); ``rim``, ``bottom``:
+    how far slots begin and end from the centre; ``share``, ``by_slots``: of motion in a turn, as measured and
+    by the number of slots; ``fastest``: the greatest ratio of angular velocities; ``motion``, ``dwell``: times
+    (s), None where the crank stands or its speed varies.
     """
 
     order: GenevaTask
+    distance: float
     sense: int
+    mu: Mark
     origin: Mark
     centre: Mark
     entry: Crossing
@@ -129,12 +132,19 @@ def record(bench: Bench) -> Geneva | None:
 def _draw(draft: Draft, order: GenevaTask, plans: KinematicPlans, parts: _Parts) -> Geneva:
     crank_pair, sense = _crank(plans), plans.sense
     draft.open(GENEVA)
+    mu = draft.scale("μ_l", "m/mm")
     origin = draft.take(Point, parts.origin, 0j)
     draft.lay_out(origin)
+
+    def length(letter: str, metres: float) -> tuple[Mark, Mark]:
+        """Take a real length, and calculate that on the board."""
+        real = draft.take(Number, f"l_{{{letter}}}" if "_" not in letter else letter, metres, "m")
+        return real, draft.draw(to_board, letter, real, mu)
+
     name = f"{parts.origin}{parts.centre}"
     way = draft.direction(math.degrees(cmath.phase(parts.apart)))
     line = draft.draw(ray, f"({name})", origin, way)
-    apart = draft.length(name, abs(parts.apart))
+    distance, apart = length(name, abs(parts.apart))
     centre = draft.draw(lay_off, parts.centre, line, apart, why=why.CENTRES)
     back = draft.draw(join, f"({parts.centre}{parts.origin})", centre, origin)
     z, pins = (
@@ -150,12 +160,12 @@ def _draw(draft: Draft, order: GenevaTask, plans: KinematicPlans, parts: _Parts)
     rim = draft.draw(measure, f"{parts.centre}E_1", centre, entry.at)
     ends = (origin, entry.at, origin, exit_.at)
     engaged = draft.draw(swung, "2φ", *ends, unit="°", sense=sense)
-    crank = draft.length(f"{parts.origin}{parts.pin}", abs(crank_pair.arm))
-    due = draft.draw(f.crank_due, "R", draft.uses(apart)[0], half, unit="m")
+    given, crank = length(f"{parts.origin}{parts.pin}", abs(crank_pair.arm))
+    due = draft.draw(f.crank_due, "R", distance, half, unit="m")
     size = order.pin if order.pin is not None else PIN * abs(crank_pair.arm)
-    pin = draft.length("r_{p}", size / 2.0)
+    pin = length("r_{p}", size / 2.0)[1]
     held = order.lock if order.lock is not None else abs(crank_pair.arm) - FREE * size
-    lock = draft.length("r_{l}", held)
+    lock = length("r_{l}", held)[1]
     bottom = draft.draw(f.slot_bottom, "r_{b}", apart, crank, pin)
     middle = draft.draw(lay_off, "M", line, crank)
     rest = draft.draw(measure, f"{parts.centre}M", centre, middle)
@@ -169,8 +179,8 @@ def _draw(draft: Draft, order: GenevaTask, plans: KinematicPlans, parts: _Parts)
         motion = draft.draw(f.time_of_motion, "t_{m}", engaged, omega, unit="s")
         dwell = draft.draw(f.time_of_dwell, "t_{d}", pins, omega, motion, unit="s")
     return Geneva(
-        order, sense, origin, centre, entry, exit_, apart, crank, pin, lock, rim, bottom, half, engaged, due,
-        draft.uses(crank)[0], share, by_slots, fastest, motion, dwell,
+        order, abs(parts.apart), sense, mu, origin, centre, entry, exit_, apart, crank, pin, lock,
+        rim, bottom, half, engaged, due, given, share, by_slots, fastest, motion, dwell,
     )  # fmt: skip
 
 

@@ -1,10 +1,12 @@
-"""The results of a Geneva wheel."""
+"""The results of a Geneva wheel, and its plan in protocols."""
 
 from __future__ import annotations
 
 from graphic_tmm.chapters.geneva.plan import GENEVA_PLAN
+from graphic_tmm.chapters.geneva.task import GENEVA
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.readers.columns import Tabled
+from graphic_tmm.readers.protocol import Protocols
 
 
 def results(drawn: Drawn) -> Results:
@@ -29,3 +31,4 @@ def results(drawn: Drawn) -> Results:
 
 
 TABLE = Tabled(results=results)
+PROTOCOL = Protocols(views=lambda project: {GENEVA: (GENEVA,)})

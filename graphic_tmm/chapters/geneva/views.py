@@ -25,7 +25,7 @@ def wheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     language = drawn.scene.language
     words = captions(language)
     on = subject(drawn, words[GENEVA], GENEVA)
-    mu = drawn.value(drawn.project.scale("positions"))
+    mu = drawn.value(wheel.mu)
     scale = f"μ_l = {number(mu, language)} {unit('m/mm', language)}"
     rows = []
     for name, (value, of) in single(figures(drawn)).items():

@@ -23,4 +23,4 @@ SLOT_AT_ENTRY = said("At the entry a slot stands at half a pitch from the line o
 SLOT_AT_EXIT = said("At the exit the same slot stands at half a pitch on the other side.")
 ENTRY = said("The pin moves along the slot where the crank is square to it: there it enters.")
 
-WORDS = Named(captions=CAPTIONS, plans=(GENEVA,), sources=("artobolevsky", "norton"))
+WORDS = Named(captions=CAPTIONS, plans=(GENEVA,), sources=("artobolevsky",))
