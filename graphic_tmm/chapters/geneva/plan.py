@@ -7,7 +7,7 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.draft import Draft, real_letter
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import (
     incline,
@@ -138,7 +138,7 @@ def _draw(draft: Draft, order: GenevaTask, plans: KinematicPlans, parts: _Parts)
 
     def length(letter: str, metres: float) -> tuple[Mark, Mark]:
         """Take a real length, and calculate that on the board."""
-        real = draft.take(Number, f"l_{{{letter}}}" if "_" not in letter else letter, metres, "m")
+        real = draft.take(Number, real_letter(letter), metres, "m")
         return real, draft.draw(to_board, letter, real, mu)
 
     name = f"{parts.origin}{parts.centre}"
