@@ -19,7 +19,7 @@ def motion(
     at: ArrayLike | None = None,
     points: Collection[str] | None = None,
     *,
-    plans: Plan | Collection[Plan] = any_angles.PLANS,
+    plans: Plan | str | Collection[str] | None = None,
     exact: bool = False,
     fast: bool | None = None,
     threads: int | None = None,
@@ -34,8 +34,9 @@ def motion(
     Parameters
     ----------
     scene
-        A scene with a mechanism, or what `read` takes. Its scale factors and its hand hold; of a hand that
-        slips, the first drawing. A `Scene` keeps what was recorded of it for the next call.
+        A scene with a mechanism, a cam, a train, a pair of gears, or what `read` takes. Its scale factors and
+        its hand hold; of a hand that slips, the first drawing. A `Scene` keeps what was recorded of it for the
+        next call.
     at
         Where the drive stands, a number or a row: of a crank its directions from the x axis, degrees,
         counter-clockwise positive; of a slider how far it is along its guide, of a rod how far its pin is from
@@ -43,11 +44,14 @@ def motion(
     points
         Letters of the points wanted; None for all.
     plans
-        What is wanted, of "positions", "velocities" (with ω), "accelerations" (with ε), and "forces": the
+        What is wanted; None for the first three, of a scene without a mechanism for what it has.
+        Of "positions", "velocities" (with ω), "accelerations" (with ε), and "forces": the
         reactions and what balances the crank, of a scene that has loads. A load by the travel of a slider turns
         at the ends of its travel; one by the angle or by the position is read off its diagram along straight
         lines, gas off the indicator diagram as drawn. They go with the cycle, which begins at the zero
-        position; its angles go on to 720° where it takes two turns.
+        position; its angles go on to 720° where it takes two turns. Or "cam", "arc_cam", "planetary", "gears":
+        the places are then angles of the cam from where its phases, or the rise, begin, or of the shaft that
+        drives.
     exact
         Read without the ruler's rounding.
     fast
@@ -63,7 +67,7 @@ def motion(
     Raises
     ------
     SceneError
-        If the scene cannot be read, or has no mechanism.
+        If the scene cannot be read, or has nothing that moves.
     StructureError
         If it cannot be drawn, or a load is not known at any angle.
     ConstructionError

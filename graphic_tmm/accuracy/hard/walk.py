@@ -45,7 +45,7 @@ Mask = NDArray[np.bool_]
 class Result(NamedTuple):
     """A result: its plan, its letter; ``row``: where the log has it, ``mark``: it in SI."""
 
-    plan: Plan
+    plan: str
     letter: str
     row: TurnQuantity
     mark: Mark

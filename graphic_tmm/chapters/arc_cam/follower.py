@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -40,7 +42,8 @@ class Follower(NamedTuple):
     ``pivots`` of the lever, None without one. ``points`` B: the roller's centre, or where the rod's line meets
     the face; ``contacts``: where a flat face touches, None for a roller. ``instant``: the instant centre P of
     cam and follower. ``travel``: S (Length), or the swing (Angle). ``part``: OP as read (Length), ``rate``:
-    dS/dφ from it (Number). ``pressure``: the pressure angle (Angle), None under a flat face.
+    dS/dφ from it (Number). ``pressure``: the pressure angle (Angle), None under a flat face. ``rows``: how what
+    is given of each position follows from its number.
     """
 
     guides: Mark
@@ -53,6 +56,7 @@ class Follower(NamedTuple):
     rate: Mark
     work: Mark
     pressure: Mark | None
+    rows: Mapping[Mark, Callable[[Reals], Reals]]
 
 
 class _Own(NamedTuple):
@@ -69,15 +73,16 @@ def draw_follower(
     draft: Draft, order: ArcTask, contour: Contour, lie: Lie, numbers: Reals, sense: int
 ) -> Follower:
     """Draw the follower in its positions; ``numbers``: of each, from 0 where it begins to rise."""
-    page = _Page(draft, order, contour, sense)
-    on = np.array([lie.arc_at(float(n) / order.parts) for n in numbers])
+    page, rows = _Page(draft, order, contour, sense), dict[Mark, Callable[[Reals], Reals]]()
+    on = lie.arcs_at(numbers / order.parts)
     owns, inside = [], []
     for k, name in enumerate(ARCS):
-        there = on == k
-        if not there.any():
+        if not (on == k).any():
             continue
         draft.say(name)
-        n = draft.take(Number, "n", np.where(there, numbers, np.nan)[None, :])
+        there = partial(_on_arc, lie, order.parts, k)
+        n = draft.take(Number, "n", (numbers * there(numbers, np.nan))[None, :])
+        rows[n] = partial(_numbers, there)
         page.index = str(k + 1)
         owns.append(page.own(contour.arcs[name], page.angle(n)))
         inside.append(there)
@@ -85,9 +90,19 @@ def draw_follower(
     found = owns[-1]
     for own, there in zip(owns[-2::-1], inside[-2::-1], strict=True):
         page.index = "" if own is owns[0] else f"{{{len(owns) - 1},{len(owns)}}}"
-        at = draft.take(Number, "σ", np.where(there, 1.0, 0.0)[None, :])
+        at = draft.take(Number, "σ", there(numbers)[None, :])
+        rows[at] = there
         found = page.merged(own, found, at)
-    return page.read(found)
+    return page.read(found)._replace(rows=rows)
+
+
+def _on_arc(lie: Lie, parts: int, arc: int, numbers: Reals, off: float = 0.0) -> Reals:
+    """Return 1 of the positions at which the follower is on an arc."""
+    return np.where(lie.arcs_at(numbers / parts) == arc, 1.0, off)
+
+
+def _numbers(there: Callable[..., Reals], numbers: Reals) -> Reals:
+    return numbers * there(numbers, np.nan)
 
 
 LETTERS = {"point": "B", "instant": "P", "pivot": "O_1", "contact": "K"}
@@ -330,4 +345,5 @@ class _Page:
             rate,
             self.work,
             pressure,
+            {},
         )

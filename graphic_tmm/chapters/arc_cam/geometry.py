@@ -11,11 +11,12 @@ import cmath
 import math
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.bounds import TaskError
+from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.arc_cam.task import ASKED, FLAT, FLAT_ROCKER, ROCKER, ArcTask, Flank
 from graphic_tmm.language.said import said
 
@@ -46,12 +47,12 @@ class Lie(NamedTuple):
         """Whether the follower is on one arc all the way round: that of an eccentric."""
         return abs(self.work - TURN) < SAME
 
-    def arc_at(self, share: float) -> int:
-        """Return which arc (`ARCS`) it is on at a share of that angle; where two meet the one before."""
+    def arcs_at(self, shares: Reals) -> Any:
+        """Return which arcs (`ARCS`) it is on at shares of that angle; where two meet the one before."""
         if self.whole:
-            return ARCS.index("nose")
+            return np.full(np.shape(shares), ARCS.index("nose"))
         inner = [(change - self.changes[0]) / self.work for change in self.changes[1:3]]
-        return sum(share > change + SAME for change in inner)
+        return sum((shares > change + SAME).astype(int) for change in inner)
 
 
 def lie(order: ArcTask) -> Lie:

@@ -11,7 +11,8 @@ At a change of arcs the follower has one velocity and two accelerations: those b
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +39,7 @@ from graphic_tmm.chapters.arc_cam.plan import ArcCam
 from graphic_tmm.chapters.arc_cam.task import CHANGES
 
 VELOCITIES, ACCELERATIONS = "arc cam velocities", "arc cam accelerations"
+Pick = Callable[[Reals], Reals]
 
 
 class Vectors(NamedTuple):
@@ -69,6 +71,7 @@ class Plans(NamedTuple):
     """Both plans: their poles, scale factors (m by a radian, or its square, a mm), linkages by the arcs' names.
 
     ``asked``: the positions (indices) in which they are drawn; ``names``: of all positions.
+    ``rows``: how what is given of each position follows from the share of the angle of work.
     ``first``: dS/dφ (m; of a lever 1); ``second``: d²S/dφ² before a change of arcs and behind it.
     """
 
@@ -79,6 +82,7 @@ class Plans(NamedTuple):
     second: tuple[Mark, Mark]
     asked: tuple[int, ...]
     names: tuple[str, ...]
+    rows: Mapping[Mark, Pick]
 
 
 class _Bars(NamedTuple):
@@ -115,17 +119,16 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
     bars, velocities = plans.bars_of, dict[str, Vectors]()
     for k, name in enumerate(ARCS):
         start, end = changes[k : k + 2]
-        on = (shares > start - SAME) & (shares < end + SAME)
-        if end - start > SAME and on.any():
+        on = partial(_between, start - SAME, end + SAME, off=np.nan)
+        if end - start > SAME and np.isfinite(on(shares)).any():
             draft.say(name)
-            at = draft.take(Number, "σ", np.where(on, 1.0, np.nan)[None, :])
-            bars[name] = plans.bars(made.contour.arcs[name], at)
+            bars[name] = plans.bars(made.contour.arcs[name], plans.take(on))
             velocities[name] = plans.velocities(bars[name], str(k + 1))
     spans = {name: (changes[ARCS.index(name)], changes[ARCS.index(name) + 1]) for name in bars}
     if made.lie.whole:
         spans = dict.fromkeys(bars, (-np.inf, np.inf))
     pick = {
-        by: {name: _between(shares + by, *span) for name, span in spans.items()}
+        by: {name: partial(_between, start - by, end - by) for name, (start, end) in spans.items()}
         for by in (-SAME, SAME)
     }
     first = plans.read(velocities, pick[-SAME], "S′_{K}")
@@ -151,11 +154,12 @@ def draw_plans(draft: Draft, made: ArcCam, names: tuple[str, ...]) -> Plans:
         (before, behind),
         tuple(_drawn_at(made, names)),
         names,
+        plans.rows,
     )
 
 
-def _between(shares: Reals, start: float, end: float) -> Reals:
-    return np.where((shares > start) & (shares < end), 1.0, 0.0)[None, :]
+def _between(start: float, end: float, shares: Reals, off: float = 0.0) -> Reals:
+    return np.where((shares > start) & (shares < end), 1.0, off)
 
 
 class _Plans:
@@ -164,6 +168,7 @@ class _Plans:
     def __init__(self, draft: Draft, made: ArcCam, poles: list[Mark], scales: list[Mark]) -> None:
         self.draft, self.made, self.poles, self.scales = draft, made, poles, scales
         self.flat, self.bars_of = made.order.flat, dict[str, _Bars]()
+        self.shares, self.rows = np.array(made.angles) / made.lie.work, dict[Mark, Pick]()
         follower = made.follower
         if follower.pivots is None:
             self.way = _Way(follower.guides)
@@ -171,6 +176,12 @@ class _Plans:
             arm = draft.draw(join, "(O_1B)", follower.pivots, follower.points)
             long = draft.draw(measure, "O_1B", follower.pivots, follower.points)
             self.way = _Way(arm, long)
+
+    def take(self, pick: Pick) -> Mark:
+        """Take what is given of every position."""
+        at = self.draft.take(Number, "σ", pick(self.shares)[None, :])
+        self.rows[at] = pick
+        return at
 
     def bars(self, arc: Arc, at: Mark) -> _Bars:
         """Draw the replacing linkage on an arc; ``at``: 1 in its positions, missing elsewhere."""
@@ -261,19 +272,19 @@ class _Plans:
         letters = ("′".join(bars.image), "k" if bars.rod is None else "n", "m", "b′")
         return Vectors(crank, own, lever, end, letters, known.fixed)
 
-    def _slotted(self, pick: dict[str, Reals]) -> _Way:
+    def _slotted(self, pick: Mapping[str, Pick]) -> _Way:
         """Put together the lines from a lever's pivot to what slides in its slot, arc by arc."""
         pin = self.made.follower.points
         for k, (name, one) in enumerate(self.bars_of.items(), start=1):
-            at = self.draft.take(Number, "σ", pick[name])
+            at = self.take(pick[name])
             letter = "K" if k == len(pick) else f"K_{{1–{k}}}"
             pin = self.draft.draw(on_arc, letter, one.pin, pin, at, free=True)
         return self._lever_to(pin)
 
-    def read(self, found: dict[str, Vectors], pick: dict[str, Reals], letter: str) -> Mark:
+    def read(self, found: dict[str, Vectors], pick: Mapping[str, Pick], letter: str) -> Mark:
         """Put the arcs together, and read what the follower does; on the base circle both ends are the pole.
 
-        ``pick``: by arc, 1 in the positions in which it is taken.
+        ``pick``: by arc, what is 1 in the positions in which it is taken.
         """
         draw, pole, way = self.draft.draw, self.poles[-1], self.way
         start = end = pole
@@ -282,7 +293,7 @@ class _Plans:
         whole = "b" if pole is self.poles[0] else "b′"
         last = [*found][-1]
         for k, (name, one) in enumerate(found.items(), start=1):
-            at = self.draft.take(Number, "σ", pick[name])
+            at = self.take(pick[name])
             until = "" if name == last else f"_{{1–{k}}}"
             end = draw(on_arc, f"{whole}{until}", one.end, end, at, free=True)
             if one.lever is not None:

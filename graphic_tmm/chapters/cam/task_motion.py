@@ -24,6 +24,8 @@ SHARED, EVEN_SHARES = "constant acceleration", (1.0, 1.0)
 """The law whose shares of speeding up and of slowing down may be told; these, if they are not."""
 BY_DIAGRAM = "diagram"
 """The law that is given by points of its acceleration diagram."""
+BY_POINTS = (BY_DIAGRAM,)
+"""Laws whose diagrams go through points that are known at the positions only."""
 
 
 RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"

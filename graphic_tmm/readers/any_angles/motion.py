@@ -5,8 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cached_property, partial
+from functools import cache, cached_property, partial
 from itertools import chain
+from types import MappingProxyType
 from typing import Any, get_args
 
 import numpy as np
@@ -25,6 +26,7 @@ from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.records import TURN, Sweep
 from graphic_tmm.paper.formats import USUAL
+from graphic_tmm.project import draws
 from graphic_tmm.project import record as record_project
 from graphic_tmm.readers.any_angles.ready import Ready, made_ready
 from graphic_tmm.readers.any_angles.results import Motion, NotAsked
@@ -43,6 +45,7 @@ from graphic_tmm.scene.records import Scene, SheetOrder
 
 WHOLE = 360.0
 """Degrees of a turn."""
+EMPTY: Mapping[Mark, Any] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,7 @@ class Recorded:
     readers: dict[tuple[Mark, ...], Program] = field(default_factory=dict)
 
     @cached_property
-    def plans(self) -> frozenset[Plan]:
+    def plans(self) -> frozenset[str]:
         """Of which plans there is anything."""
         return frozenset(row.plan for row in self.told)
 
@@ -88,8 +91,8 @@ class Recorded:
             turned = in_row(turned, self.whole)
         found: dict[Mark, Any] = {}
 
-        def read(marks: Iterable[Mark]) -> Reading:
-            return self._read(tuple(marks), found)
+        def read(marks: Iterable[Mark], more: Mapping[Mark, Any] = EMPTY) -> Reading:
+            return self._read(tuple(marks), {**found, **more})
 
         turn = Turn(turned, self.whole, project.count, read, angles, self.row)
         for chapter in project.chapters:
@@ -109,8 +112,14 @@ class Recorded:
         return self.slices[name]
 
 
-def recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
-    """Record the wanted plans of a scene, once.
+@cache
+def _boards() -> Mapping[str, str]:
+    """Return the plans of boards other than the mechanism's, each with its board."""
+    return {of.plan: one.board for one in chapters() if (of := Turning.of(one)).plan}
+
+
+def recorded(scene: Scene, plans: frozenset[str], *, exact: bool) -> Recorded:
+    """Record the wanted plans of a scene, all of one board, once.
 
     Raises
     ------
@@ -126,16 +135,17 @@ def recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
     return found
 
 
-def _recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
-    if scene.mechanism is not None:
+def _recorded(scene: Scene, plans: frozenset[str], *, exact: bool) -> Recorded:
+    board = _board_of(plans)
+    if board == MECHANISM and scene.mechanism is not None:
         for chapter in chapters(MECHANISM):
             if chapter.always or plans & {place.name for place in chapter.places}:
                 scene = Turning.of(chapter).free(scene)
     scene = replace(scene, sheets=(SheetOrder(USUAL, tuple(sorted(plans))),))
-    project = record_project(scene, wanted=plans)
+    project = record_project(scene, board, wanted=plans)
     hand = EXACT if exact else hand_of(scene)
     given = dict.fromkeys(project.construction.given, 1.0) | project.given
-    if not exact:
+    if not exact or board != MECHANISM:
         # read exactly, the same comes out to any scale, and to 1 SI unit a millimetre it is in SI
         reach = reach_of(project, doubted(project))
         given |= chosen(project, usual(scene), reach)[0]
@@ -152,6 +162,13 @@ def _recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
         sizes={},
         reach={},
     )
+    told = chain.from_iterable(Turning.of(chapter).told(project) for chapter in project.chapters)
+    rows = tuple(row for row in told if row.plan in plans)
+    if board != MECHANISM:
+        outside = dict.fromkeys(row.mark for row in rows if row.mark.slot < 0)
+        log = log._replace(given=(*log.given, *outside))
+        sheet = replace(sheet, project=replace(project, construction=log))
+        return Recorded(sheet, rows, WHOLE)
     by = next(mark for mark in log.given if mark.role == roles.ROW)
     row = np.asarray(given[by], dtype=float)[0]
     steps = open_row(scene, row)
@@ -159,8 +176,33 @@ def _recorded(scene: Scene, plans: frozenset[Plan], *, exact: bool) -> Recorded:
         whole = math.copysign(float(steps[-1]), float(row[steps.size - 1]))
     else:
         whole = float(round(float(row[1]) * project.count)) if project.count > 1 else WHOLE
-    told = chain.from_iterable(Turning.of(chapter).told(project) for chapter in project.chapters)
-    return Recorded(sheet, tuple(row for row in told if row.plan in plans), whole, steps)
+    return Recorded(sheet, rows, whole, steps)
+
+
+def _board_of(plans: Collection[str]) -> str:
+    """Return the board on which plans are drawn.
+
+    Raises
+    ------
+    ConstructionError
+        If they are of several.
+    """
+    found = dict.fromkeys(_boards().get(plan, MECHANISM) for plan in plans) or {MECHANISM: None}
+    if len(found) > 1:
+        says = said(
+            "motion: {plans} turn with shafts of their own: ask for one of them at a time, plans=[{first}]",
+            plans=", ".join(sorted(plans)),
+            first=f'"{min(plans)}"',
+        )
+        raise ConstructionError(says)
+    return next(iter(found))
+
+
+def _usual(scene: Scene) -> Collection[str]:
+    """Return the plans of a scene where nobody says which: its mechanism's, else all that it calls for."""
+    if scene.mechanism is not None:
+        return PLANS
+    return [plan for plan, board in _boards().items() if draws(scene, board)] or PLANS
 
 
 def _still(sheet: Drawn, known: Mapping[Mark, Any]) -> dict[Mark, Any]:
@@ -171,7 +213,7 @@ def _still(sheet: Drawn, known: Mapping[Mark, Any]) -> dict[Mark, Any]:
 
 PLANS: tuple[Plan, ...] = ("positions", "velocities", "accelerations")
 """What `motion` returns by default."""
-ALL: frozenset[Plan] = frozenset(get_args(Plan))
+ALL: tuple[str, ...] = get_args(Plan)
 OF_POINTS = frozenset({"places", "velocities", "accelerations"})
 
 
@@ -180,7 +222,7 @@ def motion(
     at: ArrayLike,
     points: Collection[str] | None = None,
     *,
-    plans: Plan | Collection[Plan] = PLANS,
+    plans: str | Collection[str] | None = None,
     exact: bool = False,
     fast: bool | None = None,
     threads: int | None = None,
@@ -198,20 +240,25 @@ def motion(
         available.
     """
     row = _row(at)
-    asked: frozenset[Plan] = frozenset((plans,) if isinstance(plans, str) else plans)
-    if not asked <= ALL:
+    plans = _usual(scene) if plans is None else plans
+    asked = frozenset((plans,) if isinstance(plans, str) else plans)
+    there = (*ALL, *_boards())
+    if not asked <= {*there}:
         says = said(
             "motion: there is no plan {name}; there are {known}",
-            name=min(asked - ALL),
-            known=", ".join(get_args(Plan)),
+            name=min(asked - {*there}),
+            known=", ".join(there),
         )
         raise ConstructionError(says)
     of = recorded(scene, asked, exact=exact)
     if not asked <= of.plans:
+        plan = min(asked - of.plans)
         raise ConstructionError(
-            said(
+            said("motion: the scene asks for no {plan}: write [{plan}]", plan=plan)
+            if plan in _boards()
+            else said(
                 "motion: the scene asks for no {plan}: write [forces] with what acts, [[load]], [effects]",
-                plan=min(asked - of.plans),
+                plan=plan,
             )
         )
     letters = (
@@ -225,8 +272,8 @@ def motion(
     return Motion(row, of.sweep, *map(partial(_unless, asked), PLAN_OF.values(), told))
 
 
-def _unless(asked: frozenset[Plan], plan: Plan, told: dict[Any, Any]) -> Mapping[Any, Any]:
-    return told if plan in asked else NotAsked(plan)
+def _unless(asked: frozenset[str], plan: Plan | None, told: dict[Any, Any]) -> Mapping[Any, Any]:
+    return told if plan is None or plan in asked else NotAsked(plan)
 
 
 def _row(at: ArrayLike) -> Reals:

@@ -15,7 +15,7 @@ from graphic_tmm.board.execute import Program, execute, prepare
 from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Construction, Mark, Step, again
-from graphic_tmm.board.values import Complexes, Kind, Number, Point, Reals, Vector
+from graphic_tmm.board.values import Complexes, Kind, Length, Number, Point, Reals, Vector
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import ConstructionError
@@ -37,18 +37,29 @@ def _vector(start: Complexes, end: Complexes, mu: Reals) -> Complexes:
     return (end - start) * mu
 
 
-def _reading(run: Any, *arguments: str) -> Operation:
-    kinds = tuple(Number if name == "mu" else Point for name in arguments)
+def _long(length: Reals, mu: Reals) -> Reals:
+    return length * mu
+
+
+KINDS: Mapping[str, Kind] = {"mu": Number, "length": Length}
+
+
+def _reading(run: Any, *arguments: str, leaves: Kind = Vector) -> Operation:
+    kinds = tuple(KINDS.get(name, Point) for name in arguments)
     # no pencil pricks it, and nothing is calculated with few digits
-    return Operation(run.__name__, run, kinds, arguments, Vector, (), "")
+    return Operation(run.__name__, run, kinds, arguments, leaves, (), "")
 
 
 READINGS = (
     _reading(_times, "spot", "mu"),
     _reading(_placed, "spot", "mu", "origin"),
     _reading(_vector, "start", "end", "mu"),
+    _reading(_long, "length", "mu", leaves=Number),
 )
-"""Of a vector from the pole, of a place from the origin, of a vector from elsewhere: none is of the board."""
+"""Of a vector from the pole, of a place from the origin, of a vector from elsewhere, of a length read.
+
+None is of the board.
+"""
 
 
 def in_si(
@@ -58,7 +69,7 @@ def in_si(
 
     At a scale of 1 SI unit per millimetre a mark is in SI already; a mark of several links stands once.
     """
-    times, placed, vector = READINGS
+    times, placed, vector, long = READINGS
     steps, begun = list(log.steps), list(log.given)
     made: dict[tuple[Any, ...], Mark] = {}
     origins: dict[Mark, complex] = {}
@@ -88,7 +99,9 @@ def in_si(
                 origins[origin] = row.origin
                 begun.append(origin)
                 op, uses = placed, (drawn, row.scale, origin)
-            made[key] = mark(drawn.letter, Vector)
+            elif drawn.kind is Length:
+                op = long
+            made[key] = mark(drawn.letter, op.leaves)
             steps.append(Step(op, made[key], uses, {}, ""))
         found[row] = made[key]
     return log._replace(given=tuple(begun), steps=tuple(steps), size=size), found, origins

@@ -17,8 +17,8 @@ from graphic_tmm.readers.writing import ANGLE, LENGTH
 
 Points = Mapping[tuple[str, int], Complexes]
 """Of a letter on a link, x + iy in the frame's axes, (angle,)."""
-OF_LINKS = ("omega", "epsilon", "forces", "balance")
-"""What is told of links."""
+OF_LINKS = ("omega", "epsilon", "forces", "balance", "columns", "profile")
+"""What is told of links, and of boards of their own."""
 COMPONENTS = {"places": "", "velocities": "v", "accelerations": "a"}
 """Names of a point's components in a data frame: D.x, D.vx, D.ax."""
 SHOWN = 6
@@ -108,6 +108,14 @@ class Motion:
         ``P_bal_lever`` (by Zhukovsky's lever), a force at the crank's pin, N, positive where it is the arm
         turned by +90°; or ``M_bal_forces`` and ``M_bal_lever``, moments, N·m, counter-clockwise positive.
         Further drives by their links, by groups and by their own levers: ``P_bal_4``, ``P_bal_4_lever``.
+    columns
+        Of a cam, of a train, of a pair of gears, by the names of their tables, in SI, but pressure angles and
+        angles of wheels in degrees, their speeds in rpm: ``S``, ``dS``, ``ddS`` by radians, ``v``, ``a`` or, of
+        a lever, ``omega``, ``eps``, ``pressure``; ``n1``, ``planetary_n_H``; and how far wheels have turned,
+        ``phi1``, ``planetary_phi_H``. NaN where a quantity is none.
+    profile
+        Points of the cam, in axes that turn with it, from its centre, m, x + iy: ``K`` of its profile, ``B`` of
+        the theoretical one, or of the follower on arcs.
     """
 
     at: Reals
@@ -119,6 +127,8 @@ class Motion:
     epsilon: Mapping[int, Reals]
     forces: Mapping[str, Complexes]
     balance: Mapping[str, Reals]
+    columns: Mapping[str, Reals]
+    profile: Mapping[str, Complexes]
 
     @property
     def angles(self) -> Reals:
@@ -180,7 +190,7 @@ class Motion:
         pandas.DataFrame
             ``angle_deg``, or ``length_m`` where the drive slides; of points ``D.x``, ``D.y``, ``D.vx``,
             ``D.vy``, ``D.ax``, ``D.ay``, where links differ in theirs ``D(5).x``; ``omega3``, ``epsilon3``;
-            ``R12.x``, ``R12.y``; the balance.
+            ``R12.x``, ``R12.y``; the balance; of a cam, a train, a pair of gears their columns.
 
         Raises
         ------
@@ -195,8 +205,9 @@ class Motion:
                     found |= _components(f"{name}.{of}", values[letter, link])
         found |= {f"omega{link}": row for link, row in self._of("omega").items()}
         found |= {f"epsilon{link}": row for link, row in self._of("epsilon").items()}
-        for name, row in (self.forces or {}).items():
+        for name, row in {**self._of("forces"), **self.profile}.items():
             found |= _components(f"{name}.", row)
+        found |= self.columns
         return needed("pandas", "pandas").DataFrame({**found, **self._of("balance")})
 
     def _of(self, quantity: str) -> Mapping[Any, Any]:

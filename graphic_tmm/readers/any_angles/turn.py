@@ -34,14 +34,15 @@ class Turn:
     intervals. ``read``: the numbers of marks at these angles, of what is known already. ``angles``: the
     direction of the crank itself where that is what is asked for, degrees, (1, angle): the state of a mechanism
     that was never turned from anywhere; None where it is turned from the zero position on. A chapter that hands
-    this very array on does so at any angles: it is asked once. ``row``: of a row that does not close, how far
+    this very array on does so at any angles: it is asked once. Of a board of its own they are angles of what
+    drives, and ``read`` takes values of more marks. ``row``: of a row that does not close, how far
     each of its positions is from the zero position.
     """
 
     turned: Reals
     whole: float
     count: int
-    read: Callable[[Iterable[Mark]], Reading]
+    read: Callable[..., Reading]
     angles: Reals | None = None
     row: Reals | None = None
 
@@ -83,9 +84,19 @@ def in_row(turned: Reals, way: float) -> Reals:
 
 Plan = Literal["positions", "velocities", "accelerations", "forces"]
 """The plans that `motion` takes, by the place of a sheet that shows them."""
-Quantity = Literal["places", "velocities", "accelerations", "omega", "epsilon", "forces", "balance"]
-"""The quantities of a mechanism at any angle."""
-PLAN_OF: Mapping[Quantity, Plan] = {
+Quantity = Literal[
+    "places",
+    "velocities",
+    "accelerations",
+    "omega",
+    "epsilon",
+    "forces",
+    "balance",
+    "columns",
+    "profile",
+]
+"""The quantities at any angle: of a mechanism, and of a board of its own by their names in its table."""
+PLAN_OF: Mapping[Quantity, Plan | None] = {
     "places": "positions",
     "velocities": "velocities",
     "accelerations": "accelerations",
@@ -93,9 +104,13 @@ PLAN_OF: Mapping[Quantity, Plan] = {
     "epsilon": "accelerations",
     "forces": "forces",
     "balance": "forces",
+    "columns": None,
+    "profile": None,
 }
-"""The plan that gives a quantity."""
-VECTORS: frozenset[Quantity] = frozenset({"places", "velocities", "accelerations", "forces"})
+"""The plan of a mechanism that gives a quantity; None of those of other boards."""
+VECTORS: frozenset[Quantity] = frozenset(
+    {"places", "velocities", "accelerations", "forces", "profile"}
+)
 """Those that are x + iy."""
 Key = tuple[str, int] | int | str
 """The owner of a quantity: a letter and the number of its link; a link; the name of a column."""
@@ -104,12 +119,13 @@ Key = tuple[str, int] | int | str
 class TurnQuantity(NamedTuple):
     """A quantity that can be had at any angle of the crank, in SI: where the log has it.
 
-    ``mark``: its number, in SI; or, with a ``scale`` (SI a mm), a
+    ``mark``: its number, in SI; or, with a ``scale`` (SI a mm), a length, or a
     point of a plan, whose vector from ``start`` (None: from the pole, 0) times the scale it is, behind
-    ``origin`` (SI). ``known``: a number without which nobody knows it.
+    ``origin`` (SI). ``known``: a number without which nobody knows it. Of a board of its own the mark may be
+    none of the log: then `Turning.between` gives its value.
     """
 
-    plan: Plan
+    plan: str
     quantity: Quantity
     key: Key
     mark: Mark
@@ -138,7 +154,8 @@ class Turning(Answer):
     ``between``: the values of its given marks of a drawn board at any angles of a turn. ``read_off``: of a
     drawn board and the mark that tells where in the row an angle is the steps by which marks are read off the
     drawing there instead of computed again. ``passed``: how well the mechanism transmits its motion over a
-    turn. ``told``: its quantities at any angle; ``free``: the scene as it is recorded for them.
+    turn. ``told``: its quantities at any angle; ``free``: the scene as it is recorded for them. ``plan``: what
+    they are asked for by, of a board of its own.
     """
 
     stands: ClassVar[str] = "turning.TURNING"
@@ -147,6 +164,7 @@ class Turning(Answer):
     passed: Callable[[Project], Passed | None] = lambda project: None
     told: Callable[[Project], Iterable[TurnQuantity]] = lambda project: ()
     free: Callable[[Scene], Scene] = lambda scene: scene
+    plan: str = ""
 
     def values(self, drawn: Drawn, turn: Turn) -> Between:
         """Return the values of all that is known at any angles of a turn, or read off the drawing there."""

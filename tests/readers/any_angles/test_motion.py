@@ -98,9 +98,9 @@ def test_velocities_are_the_rates_of_places(name: str) -> None:
             assert np.abs(rate - found).max() <= 1e-5 * np.abs(found).max(), (point, due)
 
 
-def test_a_scene_without_a_mechanism_has_no_motion() -> None:
+def test_a_scene_of_nothing_that_moves_has_no_motion() -> None:
     with pytest.raises(SceneError, match="no mechanism"):
-        graphic_tmm.motion(read(SHEETS / "gear-pair"), 0.0)
+        graphic_tmm.motion(read(SHEETS / "lettering"), 0.0)
 
 
 @pytest.mark.slow

@@ -1,0 +1,37 @@
+"""A pair of gears at any angle of wheel 1: how far both have turned, and with a given speed how fast."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN
+from graphic_tmm.chapters.gears.record import BESIDE
+from graphic_tmm.chapters.gears.task import GEARS
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.project import Project
+from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning, TurnQuantity
+
+ANGLES = tuple(Mark(-1 - k, f"φ_{k}", Number, GEARS) for k in (1, 2))
+"""How far the wheels have turned, degrees: no step draws it."""
+
+
+def quantities(project: Project) -> Iterator[TurnQuantity]:
+    """Yield the angles of both wheels, and their speeds, where that of wheel 1 is given (rpm, without sign)."""
+    motion = BESIDE.on(project).motion
+    for k, mark in enumerate(ANGLES, 1):
+        yield TurnQuantity(GEARS, "columns", f"phi{k}", mark)
+        if motion is not None:
+            yield TurnQuantity(GEARS, "columns", f"n{k}", motion.turns[k - 1])
+
+
+def between(drawn: Drawn, turn: Turn) -> Between:
+    """Return the angles: by the ratio, against each other where both wheels have their teeth outside."""
+    assert turn.angles is not None
+    sense = 1.0 if GEARS_PLAN.on(drawn).order.internal else -1.0
+    ratio = drawn.numbers.drawn[BESIDE.on(drawn).ratio]
+    return dict(zip(ANGLES, (turn.angles, sense * turn.angles / ratio), strict=True))
+
+
+TURNING = Turning(between=between, told=quantities, plan=GEARS)
