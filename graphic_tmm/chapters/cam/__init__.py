@@ -2,11 +2,11 @@
 
 A law is drawn as three diagrams on one base: S, dS/dφ, d²S/dφ². Sine and cosine come from semicircles,
 constant acceleration from two parabolas, constant velocity from a straight line between two more, the
-polynomial 3-4-5 from calculated ordinates; a law given by its acceleration diagram is integrated twice against
-a pole, and its scale found from the stroke (`laws`, `law_formulas`, `integral`). With several lifts in a turn
-each phase is drawn on the level of its lower place (`task_motion`). Of a diagram read off paper a jump is put
-where a position stands and areas are made equal by one factor, as far as a ruler does not tell the difference
-(`read_off`).
+polynomial 3-4-5 from calculated ordinates, derivatives of a table of S from its chords; a law given by its
+acceleration diagram is integrated twice against a pole, and its scale found from the stroke (`laws`,
+`law_formulas`, `integral`). With several lifts in a turn each phase is drawn on the level of its lower place
+(`task_motion`). Of a diagram read off paper a jump is put where a position stands and areas are made equal by
+one factor, as far as a ruler does not tell the difference (`read_off`).
 
 How the region of centres arises: take the cam's centre O anywhere below the roller's centre B, and in some
 position lay off dS/dφ from B square to the path, to the side to which the velocity comes when it is turned

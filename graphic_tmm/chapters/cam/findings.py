@@ -10,10 +10,12 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
+from graphic_tmm.chapters.cam.laws.table import FEW, SHOCK, table_of
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.refusals import SLACK
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import FlatFollower
+from graphic_tmm.chapters.cam.task_motion import BY_TABLE
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -113,6 +115,44 @@ def changes(cam: Cam, language: str) -> Iterator[str]:
         factor = phase.changed.factor
         if factor != 1.0:
             yield _(areas, percent=100.0 * abs(factor - 1.0), factor=factor)
+
+
+_TABLE = {
+    "few": said(
+        "the table of phase {k} has {steps} steps: between its lines nobody knows the acceleration, give {few} "
+        "steps at least"
+    ),
+    "begins": said(
+        "by its table the follower begins phase {k} with the velocity dS/dφ = {speed:.3g} (SI): a hard shock, "
+        "which d²S/dφ² does not show; ease the table there"
+    ),
+    "ends": said(
+        "by its table the follower ends phase {k} with the velocity dS/dφ = {speed:.3g} (SI): a hard shock, "
+        "which d²S/dφ² does not show; ease the table there"
+    ),
+    "noise": said(
+        "the acceleration of the table of phase {k} changes its sign {waves} times: that is noise of its "
+        "figures, give more digits of them or fewer lines"
+    ),
+}
+"""Of a law given by a table."""
+
+
+def of_tables(cam: Cam, language: str) -> Iterator[str]:
+    """Yield, as sentences, what tables of displacements leave open: few lines, a shock, noise."""
+    _ = speaking(language)
+    for phase in cam.diagrams.turn.phases:
+        if phase.law.name != BY_TABLE:
+            continue
+        table, k = table_of(phase.law.points), phase.number
+        mean = (phase.motion.stroke or 0.0) / np.radians(phase.extent)
+        if table.steps < FEW:
+            yield _(_TABLE["few"], k=k, steps=table.steps, few=FEW)
+        for way, speed in zip(("begins", "ends"), table.speeds[:: phase.sign], strict=True):
+            if speed > SHOCK:
+                yield _(_TABLE[way], k=k, speed=phase.sign * speed * mean)
+        if table.waves > 2:
+            yield _(_TABLE["noise"], k=k, waves=table.waves)
 
 
 class CamFinding(NamedTuple):
@@ -235,6 +275,7 @@ def _limits(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield what was changed of diagrams read off paper, and the limits that a cam passes."""
     made = CAM_PLAN.on(drawn)
     yield from changes(made, language)
+    yield from of_tables(made, language)
     yield from (finding.says(language) for finding in cam_findings(drawn.reading, made))
 
 

@@ -34,7 +34,7 @@ from graphic_tmm.paper.drawing import Drawing
 RADII = (
     law.sine_radius, law.sine_radius_V, law.sine_radius_A, law.cosine_radius, law.cosine_radius_V,
     law.cosine_radius_A, law.parabola_V, law.parabola_A, law.shared_A,
-    law.polynomial_S, law.polynomial_V, law.polynomial_A,
+    law.polynomial_S, law.polynomial_V, law.polynomial_A, law.chord_V, law.chord_A,
 )  # fmt: skip
 """What a law is drawn by."""
 

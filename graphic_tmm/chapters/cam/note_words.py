@@ -43,6 +43,11 @@ LAWS = {
     "3-4-5": said(
         "The law is a polynomial of the fifth degree; its ordinates are calculated by the share u of the phase:"
     ),
+    "table": said(
+        "The law is given by a table of displacements; the slopes of chords between its lines are dS/dφ, what "
+        "the slopes of neighbouring chords differ by is d²S/dφ²; beyond its ends the table goes on with even "
+        "third differences."
+    ),
     "diagram": said(
         "The law is given by its acceleration diagram, which is integrated twice against a pole; the scale "
         "follows from the stroke."

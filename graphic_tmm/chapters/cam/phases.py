@@ -24,6 +24,7 @@ from graphic_tmm.chapters.cam.refusals import (
 from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.cam.task_motion import (
     BY_DIAGRAM,
+    BY_TABLE,
     SHARED,
     TURN,
     Law,
@@ -198,6 +199,8 @@ def _division(order: CamTask, motion: Stage) -> _Division:
     Where not even its jumps can, they are moved, as far as a ruler leaves them open.
     """
     assert motion.law is not None
+    if motion.law.name == BY_TABLE:
+        return _Division(len(motion.law.points) - 1, [], motion.law)
     law, extent = replace(motion.law, points=plain(motion.law.points)), motion.angle
     wanted = order.divisions
     if order.per_turn is not None:

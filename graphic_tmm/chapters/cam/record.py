@@ -10,11 +10,12 @@ from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.laws import laws
+from graphic_tmm.chapters.cam.laws.table import table_of
 from graphic_tmm.chapters.cam.phases import Phase
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam, record
 from graphic_tmm.chapters.cam.refusals import risen
 from graphic_tmm.chapters.cam.task import CAM, CamTask, FlatFollower
-from graphic_tmm.chapters.cam.task_motion import BY_DIAGRAM, SHARED
+from graphic_tmm.chapters.cam.task_motion import BY_DIAGRAM, BY_TABLE, SHARED
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
@@ -75,6 +76,8 @@ def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
 
 def _factors(phase: Phase) -> tuple[float, float]:
     """Return the largest dS/dφ and d²S/dφ² of a law, of h/Φ and h/Φ²."""
+    if phase.law.name == BY_TABLE:
+        return table_of(phase.law.points).peaks
     if phase.law.name != BY_DIAGRAM:
         drawn, split = laws()[phase.law.name], phase.law.split
         return (

@@ -14,6 +14,7 @@ from graphic_tmm.chapters.cam.kinds_spring import NO_SPEED
 from graphic_tmm.chapters.cam.task import CamTask, RockerFollower
 from graphic_tmm.chapters.cam.task_motion import (
     BY_DIAGRAM,
+    BY_TABLE,
     EVEN_SHARES,
     SHARED,
     TURN,
@@ -124,10 +125,11 @@ def keys_of_law(order: CamTask, motion: Stage) -> tuple[str, str]:
     """Return the keys of a scene that tell the law of a phase, and its points."""
     if order.phases:
         return "phase", "phase"
-    shared = motion.law is not None and motion.law.name == SHARED
+    name = motion.law.name if motion.law is not None else ""
+    of = {SHARED: "shares", BY_TABLE: "table"}.get(name, "points")
     if motion.sign > 0:
-        return "law", "shares" if shared else "law_points"
-    return "return_law", "return_shares" if shared else "return_points"
+        return "law", of if name == SHARED else f"law_{of}"
+    return "return_law", f"return_{of}"
 
 
 def refuse(order: CamTask) -> None:
@@ -146,6 +148,8 @@ def refuse(order: CamTask) -> None:
     for motion in order.stages:
         if motion.law is not None:
             _refuse_law(keys_of_law(order, motion), motion.law, WHOLE * motion.angle / TURN)
+            if motion.law.name == BY_TABLE and (says := _fault_of_table(motion)):
+                raise TaskError("cam", keys_of_law(order, motion)[1], says)
 
 
 def _refuse_turn(order: CamTask) -> None:
@@ -235,11 +239,39 @@ def _refuse_law(keys: tuple[str, str], law: Law, base: float) -> None:
             "cam", keys[0], said("only the law of constant acceleration has shares; leave them out")
         )
     if law.name != BY_DIAGRAM:
-        if law.points:
+        if law.points and law.name != BY_TABLE:
             raise TaskError("cam", keys[0], said('points belong to the law "diagram" only'))
         return
     if says := _fault_of(law, base):
         raise TaskError("cam", keys[1], says)
+
+
+def _fault_of_table(motion: Stage) -> str:
+    """Return what is wrong with the table of a phase; "" if nothing is."""
+    assert motion.law is not None
+    points, steps = motion.law.points, bound_of(CamTask, "parts")
+    shares, heights = ([one[k] for one in points] for k in (0, 1))
+    if not steps.holds(len(points) - 1):
+        return said(
+            "a table of displacements has {least} to {most} even steps, not {steps}",
+            least=int(steps.least), most=int(steps.most), steps=len(points) - 1,
+        )  # fmt: skip
+    if abs(heights[0]) > EVEN or max(heights) > 1.0 + EVEN or min(heights) < -EVEN:
+        return said(
+            "the displacements of the table go from 0 to the stroke, or back, and not beyond"
+        )
+    even = np.linspace(0.0, 1.0, len(points))
+    if np.abs(np.array(shares) - even).max() > EVEN:
+        return said("the angles of the table go on by even steps: fill in the lines between")
+    for told, due in zip(motion.law.size, (motion.angle, motion.stroke or 0.0), strict=False):
+        if abs(told - due) > EVEN * due:
+            return said(
+                "the table is {long:g}° long and {high:g} high (SI), its phase {angle:g}° and {stroke:g}: make "
+                "them the same",
+                long=motion.law.size[0], high=motion.law.size[1],
+                angle=motion.angle, stroke=motion.stroke or 0.0,
+            )  # fmt: skip
+    return ""
 
 
 def _fault_of(law: Law, base: float) -> str:

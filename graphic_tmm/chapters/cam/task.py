@@ -25,8 +25,10 @@ from graphic_tmm.chapters.cam.kinds_spring import flaws as flaws_of_spring
 from graphic_tmm.chapters.cam.task_motion import (
     AS_GIVEN,
     BY_DIAGRAM,
+    BY_TABLE,
     DWELL,
     EVEN_SHARES,
+    EXAMPLE,
     LAW,
     MIRRORED,
     MOVING,
@@ -35,9 +37,11 @@ from graphic_tmm.chapters.cam.task_motion import (
     SHARED,
     SHARES,
     STROKE,
+    TABLE,
     Law,
     Stage,
     is_angle_scale,
+    law_of,
     levels,
     stroke_faults,
 )
@@ -69,6 +73,8 @@ def _rest(said: Said) -> float:
 
 
 def _rise_law(said: Said) -> Law:
+    if said.law == BY_TABLE and said.law_table:
+        return law_of(said.law_table)
     points = (said.law_points or ()) if said.law == BY_DIAGRAM else ()
     return Law(said.law, points, said.shares or EVEN_SHARES)
 
@@ -90,6 +96,8 @@ def _stroke(said: Said) -> float:
 def _return_law(said: Said) -> Law:
     name = said.return_law or said.law
     points = said.return_points or said.law_points or ()
+    if name == BY_TABLE and (table := said.return_table or said.law_table):
+        return law_of(table, own=bool(said.return_table))
     if name != BY_DIAGRAM:
         shares = said.return_shares or said.shares or EVEN_SHARES
         return Law(name, shares=shares if name == SHARED else EVEN_SHARES)
@@ -168,6 +176,12 @@ class CamTask:
             [[0, 0], [0.25, 1]],
             None,
         ),
+        law_table=key(
+            TABLE,
+            "the table of the rise, for the law table: angle in the phase, displacement, at even steps",
+            EXAMPLE,
+            None,
+        ),
         shares=key(
             SHARES,
             "of constant acceleration: the shares of speeding up and of slowing down",
@@ -183,6 +197,12 @@ class CamTask:
             POINTS,
             "points of the acceleration diagram of the return, positive while it speeds up",
             [[0, 0], [0.25, 1]],
+            None,
+        ),
+        return_table=key(
+            TABLE,
+            "the table of the return, down to 0; left out: that of the rise backwards",
+            [["0 deg", "28 mm"], ["10 deg", "27.2 mm"]],
             None,
         ),
         return_shares=key(SHARES, "those of the return, if they are others", [1, 2], None),
@@ -296,6 +316,7 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
             )
             yield Flaw(("cam", name), says)
     yield from _laws(cam)
+    yield from _tables(cam)
 
 
 def _laws(cam: Said) -> Iterator[Flaw]:
@@ -323,6 +344,20 @@ def _laws(cam: Said) -> Iterator[Flaw]:
     elif way == MIRRORED and (cam.return_points is not None or cam.return_law is not None):
         says = said("the return is the rise run backwards: leave its own law and points out")
         yield Flaw(("cam", RETURN), says)
+
+
+def _tables(cam: Said) -> Iterator[Flaw]:
+    """The law table without its lines, and tables of another law."""
+    for law, table in (("law", "law_table"), ("return_law", "return_table")):
+        own, name = getattr(cam, table), getattr(cam, law) or cam.law
+        if name == BY_TABLE and own is None and cam.law_table is None and not cam.phase:
+            says = said(
+                'the law table needs its lines, [["0 deg", "0 mm"], ["10 deg", "0.8 mm"], ...]'
+            )
+            yield Flaw(("cam", table), says)
+        if own is not None and name != BY_TABLE:
+            says = said('only {law} = "table" takes a table; leave it out', law=law)
+            yield Flaw(("cam", table), says)
 
 
 SECTIONS = (

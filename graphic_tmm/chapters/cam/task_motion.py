@@ -24,13 +24,18 @@ SHARED, EVEN_SHARES = "constant acceleration", (1.0, 1.0)
 """The law whose shares of speeding up and of slowing down may be told; these, if they are not."""
 BY_DIAGRAM = "diagram"
 """The law that is given by points of its acceleration diagram."""
-BY_POINTS = (BY_DIAGRAM,)
+BY_TABLE = "table"
+"""The law that is given by a table of displacements at even steps of the phase."""
+BY_POINTS = (BY_DIAGRAM, BY_TABLE)
 """Laws whose diagrams go through points that are known at the positions only."""
 
 
 RETURN, MIRRORED, AS_GIVEN = "return", "mirrored", "given"
 """The key that tells how the diagram of the return is meant: the rise run backwards, or by the sign of S″."""
-USUAL = ("rise", "upper_dwell", "fall", "lower_dwell", "return_law", "return_points", RETURN)
+USUAL = (
+    *("rise", "upper_dwell", "fall", "lower_dwell"),
+    *("return_law", "return_points", "return_table", RETURN),
+)
 """Keys of a cam with one lift."""
 
 
@@ -58,12 +63,15 @@ class Law:
     ``points`` of the law "diagram": (share of the phase, acceleration), in the order of time, joined by
     straight lines; the acceleration is positive while the follower speeds up, on the return too, in any unit,
     for its scale follows from the stroke. Points with one share make a jump, from the first to the last.
+    ``points`` of the law "table": (share of the phase, share of the stroke) from the lower place, at even
+    steps; ``size``: how long (degrees) and how high (m, or rad) it is as written.
     ``shares``: of speeding up and of slowing down, in proportion, of a law of constant acceleration.
     """
 
     name: str
     points: tuple[tuple[float, float], ...] = ()
     shares: tuple[float, float] = EVEN_SHARES
+    size: tuple[float, ...] = ()
 
     @property
     def split(self) -> float:
@@ -110,6 +118,35 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     return tuple(found)
 
 
+def _table(value: object, names: Names) -> tuple[tuple[float, float], ...]:
+    """Return lines of a table: the angle (degrees) and the displacement (m, or rad)."""
+    if not isinstance(value, list) or not value:
+        says = said('write lines of the table, [["0 deg", "0 mm"], ["10 deg", "0.8 mm"], ...]')
+        raise ValueError(stands(value, says))
+    found = []
+    for item in value:
+        if not isinstance(item, list) or len(item) != 2:
+            says = said('a line is an angle and a displacement, ["10 deg", "0.8 mm"]')
+            raise ValueError(fault_in_list(item, says))
+        found.append((quantities.parse(item[0], "angle"), _stroke(item[1], names)))
+    return tuple(found)
+
+
+def law_of(table: Sequence[tuple[float, float]], *, own: bool = True) -> Law:
+    """Return the law that a table gives, from its lower place: of a fall backwards.
+
+    ``own``: it is the phase's own; else another phase takes it as long, and as high, as that is itself.
+    """
+    lines = [(angle - table[0][0], height) for angle, height in table]
+    if lines[0][1] > lines[-1][1]:
+        lines = [(lines[-1][0] - angle, height) for angle, height in reversed(lines)]
+    long, high = lines[-1]
+    points = tuple(
+        (round(angle / (long or 1.0), 12), height / (high or 1.0)) for angle, height in lines
+    )
+    return Law(BY_TABLE, points, size=(long, high) if own else ())
+
+
 def _shares(value: object, names: Names) -> tuple[float, float]:
     plain = isinstance(value, list) and len(value) == 2
     if not plain or not all(POSITIVE.holds(one) for one in value):  # type: ignore[attr-defined]
@@ -121,14 +158,20 @@ def _shares(value: object, names: Names) -> tuple[float, float]:
 SHARES = Kind(_shares, {"type": "array"})
 STROKE = Kind(_stroke, v.SCALE, POSITIVE, "length, or angle")
 POINTS = Kind(_points, {"type": "array"})
+TABLE = Kind(_table, {"type": "array"})
 MOVING = v.number(Bound(0, 360, above=True, below=True), "angle")
 DWELL = v.number(Bound(0, 360, below=True), "angle")
 LAW = v.choice_of(_words)
 """Values of the keys of a cam."""
 
 
+EXAMPLE = [["0 deg", "0 mm"], ["10 deg", "0.8 mm"]]
+
+
 def _own_law(said: Said) -> Law | None:
     name = said.law or (BY_DIAGRAM if said.law_points else SHARED if said.shares else None)
+    if said.law_table:
+        return law_of(said.law_table)
     return None if name is None else Law(name, said.law_points or (), said.shares or EVEN_SHARES)
 
 
@@ -152,6 +195,12 @@ class Stage:
         law=key(LAW, "the law of motion, if it is not that of the cam", "cosine", None),
         law_points=key(POINTS, "points of its acceleration diagram", [[0, 0], [0.25, 1]], None),
         shares=key(SHARES, "shares of its constant acceleration", [2, 1], None),
+        law_table=key(
+            TABLE,
+            "or its table: angle in the phase, displacement above its lower place, at even steps",
+            EXAMPLE,
+            None,
+        ),
     )
 
     @property

@@ -13,9 +13,10 @@ from graphic_tmm.chapters.cam.task import (
     FlatFollower,
     RockerFollower,
 )
-from graphic_tmm.chapters.cam.task_motion import EVEN_SHARES, levels
+from graphic_tmm.chapters.cam.task_motion import BY_TABLE, EVEN_SHARES, Stage, levels
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
+from graphic_tmm.language.units import unit as unit_of
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import added
 from graphic_tmm.paper.formats import HEIGHTS
@@ -235,11 +236,29 @@ def listed(scene: Scene, language: str) -> Iterator[Listed]:
         seen.add(stage.law.points)
         name = str(k) if order.phases else "rise" if stage.sign > 0 else "return"
         title = _(_PHASE, k=k) if order.phases else _(_RISE if stage.sign > 0 else _RETURN)
+        if stage.law.name == BY_TABLE:
+            yield _table_of(order, stage, f"law-{name}", k, language)
+            continue
         heads = ("φ/φ_{0}", *(given_figure(share, language) for share, _ in stage.law.points))
         row = ("a", *(given_figure(size, language) for _, size in stage.law.points))
         yield Listed(f"law-{name}", title, heads, (row,))
 
 
+def _table_of(order: CamTask, stage: Stage, name: str, k: int, language: str) -> Listed:
+    """Return the table of displacements of a phase, from its beginning."""
+    assert stage.law is not None
+    letter, unit, per = ("ψ", "°", 180.0 / math.pi) if order.rocks else ("S", "mm", 1000.0)
+    points = (
+        stage.law.points if stage.sign > 0 else [(1.0 - u, y) for u, y in stage.law.points[::-1]]
+    )
+    angles = (given_figure(round(share * stage.angle, 9), language) for share, _ in points)
+    sizes = (given_figure(round(y * (stage.stroke or 0.0) * per, 9), language) for _, y in points)
+    title = speaking(language)(_LINES, k=k)
+    rows = (f"{letter}, {unit_of(unit, language)}", *sizes)
+    return Listed(name, title, ("φ, °", *angles), (rows,))
+
+
+_LINES = said("Displacement of the follower in phase {k}")
 _CHOSEN = said(
     "The spring is found by the line of its force over the inertia force; the force of contact and the moment "
     "on the camshaft are drawn over the turn."

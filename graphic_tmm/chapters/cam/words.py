@@ -22,6 +22,7 @@ CAPTIONS: dict[str, str] = {
     "law constant velocity": said("constant velocity, eased"),
     "law 3-4-5": "3-4-5",
     "law diagram": said("by its diagram"),
+    "law table": said("by its table"),
     "cam": said("Cam"),
     "table cam": said("Motion of the follower"),
     "cam S": said("Displacement of the follower"),
@@ -192,6 +193,7 @@ LEVEL = said(
     "Here the lower place of the follower is not the lowest of the turn: what follows stands on its level."
 )
 PHASE_PART = said("The phase is divided into equal parts of the angle.")
+BY_TABLE = said("The ordinate is what the table gives for this line, to scale.")
 DIAGRAM_READ = said("The ordinate of the diagram is what this law gives in this position.")
 ANGLE_AT = said("Over each place on the base stands what belongs to this angle of the cam.")
 EXTREME_READ = said("The extreme is what is judged; where it stands tells the angle of the cam.")

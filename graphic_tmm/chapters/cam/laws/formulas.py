@@ -173,6 +173,26 @@ def polynomial_S(share: Number, height: Length) -> Length:
     """{height}·(10·{share}³ − 15·{share}⁴ + 6·{share}⁵)"""
 
 
+@formula(
+    why=said(
+        "The chord between the neighbours of a line of the table has the slope of the curve there, nearly."
+    )
+)
+def chord_V(after: Number, before: Number, parts: Number, phase: Number, mu: Number) -> Length:
+    """({after} − {before})·{parts}/(2·{phase}·{mu})"""
+
+
+@formula(
+    why=said(
+        "The slopes of the chords on both sides of a line differ by what the velocity gains over a step."
+    )
+)
+def chord_A(
+    after: Number, here: Number, before: Number, parts: Number, phase: Number, mu: Number
+) -> Length:
+    """({after} − 2·{here} + {before})·{parts}²/({phase}²·{mu})"""
+
+
 @formula(why=said("It is the derivative of the law by the angle."))
 def polynomial_V(share: Number, stroke: Number, phase: Number, mu: Number) -> Length:
     """{stroke}·(30·{share}² − 60·{share}³ + 30·{share}⁴)/({phase}·{mu})"""
