@@ -96,7 +96,7 @@ class _Frames(NamedTuple):
 def dense(drawn: Drawn) -> Dense | None:
     """Return a mechanism at every degree; None of a board whose positions are no places of a drive."""
     log = drawn.construction
-    sheet = drawn if _exact(drawn) else drawn.drawn_by(EXACT)
+    sheet = drawn_exactly(drawn)
     by = next((mark for mark in log.given if mark.role == roles.ROW), None)
     if by is None:
         return None
@@ -158,9 +158,11 @@ def _name(value: float, sweep: Sweep) -> str:
     return f"{value % WHOLE:g}°" if sweep.turns else f"{1000.0 * value:g} mm"
 
 
-def _exact(drawn: Drawn) -> bool:
+def drawn_exactly(drawn: Drawn) -> Drawn:
+    """Return a board drawn by the exact hand, without a ruler."""
     hand = drawn.hand
-    return hand.ruler is None and not hand.slips and hand.digits is None
+    exact = hand.ruler is None and not hand.slips and hand.digits is None
+    return drawn if exact else drawn.drawn_by(EXACT)
 
 
 def _turned(drawn: Drawn, row: Reals) -> _Frames:

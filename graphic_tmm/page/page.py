@@ -42,8 +42,9 @@ from graphic_tmm.page.practice.pack import Tables, practice, written_module
 from graphic_tmm.page.practice.words import practice_words
 from graphic_tmm.page.sentences import protocol_of
 from graphic_tmm.page.short_names import shortened
+from graphic_tmm.page.turning import turning_data
 from graphic_tmm.page.views import played
-from graphic_tmm.page.words import ENDS, PARTS, WORDS
+from graphic_tmm.page.words import ENDS, PARTS, TURNS, WORDS
 from graphic_tmm.paper.drawing import Drawing, Sheet
 from graphic_tmm.paper.formats import FORMATS
 from graphic_tmm.paper.write.svg import ids, svg
@@ -51,8 +52,8 @@ from graphic_tmm.paper.write.svg import ids, svg
 LOWER = 0.2
 """How much lower than its page a figure in print is, mm."""
 
-ACCURACY, LENGTHS, PRACTICE = "accuracy", "live", "practice"
-"""The folders of what tells of accuracy, what lets lengths be changed, and what lets plans be drawn."""
+ACCURACY, LENGTHS, PRACTICE, TURNING = "accuracy", "live", "practice", "turning"
+"""The folders of what tells of accuracy, changes lengths, lets plans be drawn, turns cams and wheels."""
 MAIN, ENTER, WRITTEN = "main", "enter", "written"
 """The module that begins a page; that of a folder which enters its ways of looking; one of the page alone."""
 
@@ -135,7 +136,7 @@ def modules_of(*folders: str) -> dict[str, str]:
 def folders() -> tuple[str, ...]:
     """Return the folders that enter ways of drawing oneself, practice before those that build on it."""
     found = [one.name for one in _WEB.iterdir() if one.is_dir() and (one / f"{ENTER}.js").is_file()]
-    return tuple(sorted({*found} - {ACCURACY, LENGTHS}, reverse=True))
+    return tuple(sorted({*found} - {ACCURACY, LENGTHS, TURNING}, reverse=True))
 
 
 def _texts(ending: str, *folders: str) -> dict[str, str]:
@@ -207,6 +208,10 @@ def page(
         data["accuracy"] = error_shares(weighed, made, data["views"])
         data["words"] |= _said(ERRORS, language)
         further = (*further, ACCURACY)
+    if (turning := turning_data(made, sheets)) is not None:
+        data["turning"] = turning
+        data["words"] |= _said(TURNS, language)
+        further = (*further, TURNING)
     written = written_module(board, tables, logs) if tables or logs else ""
     program, looks = shortened(program_parts(*further, written=written)), style(*further)
     return (

@@ -135,6 +135,20 @@ ENDS: dict[str, str] = {
     "a second": said("steps/s"),
 }
 """What is said otherwise of a row that is no whole turn."""
+TURNS: dict[str, str] = {
+    "turning": said("Motion"),
+    "turning angle": said("Angle of the turn"),
+    "turning turn on": said("Let it turn"),
+    "turning turn off": said("Stop it"),
+    "turning speed": said("Speed"),
+    "turning a second": said("°/s"),
+    "turning start": said("To the beginning"),
+    "turning degree on": said("1° on"),
+    "turning degree back": said("1° back"),
+    "turning leap on": said("30° on"),
+    "turning leap back": said("30° back"),
+}
+"""What is said where cams and wheels turn."""
 """Braces are filled in by the page."""
 
 

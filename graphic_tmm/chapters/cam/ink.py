@@ -132,9 +132,9 @@ def face_lever(ink: CamInk, pivot: complex, foot: complex, contact: complex) -> 
         yield from fixed_pivot(pivot)
 
 
-def rod(at: complex, radius: float, *, edge: bool = False) -> list[Ink]:
+def rod(at: complex, radius: float, *, edge: bool = False, length: float = ROD) -> list[Ink]:
     """Return the rod of a follower over its roller or face, or with its knife edge, upright in its guide."""
-    top, half = at + 1j * (ROD + radius), 0.5 * WIDTH
+    top, half = at + 1j * (length + radius), 0.5 * WIDTH
     foot = (at, at + WIDTH * 1j + half) if edge else (at - half, at + half)
     left = (at + WIDTH * 1j - half,) if edge else ()
     outline = line("body", *foot, top + half, top - half, *left, closed=True)

@@ -60,7 +60,7 @@ def draw_scheme_ink(on: Subject, cam: Cam, names: SchemeNames) -> Drawing:
     k = position_of(on.reading, cam)
     angle = ink.number(cam.diagrams.angle, k)
     turn = cmath.exp(1j * cam.sense * math.radians(angle))
-    cam_, letters = [*_cam(ink, turn)], [*_letters(ink, names)]
+    cam_, letters = [*cam_body(ink, turn)], [*_letters(ink, names)]
     follower, more = _follower(ink, k, turn, names)
     strokes, wanted = (*cam_, *follower, *_shaft(ink)), (*letters, *more)
     return Drawing(NAME, on.title, strokes, shows=(VIEW,), wanted=wanted)
@@ -74,7 +74,7 @@ def _turned(stroke: Ink, turn: complex) -> Ink:
     return stroke._replace(path=tuple((z.real, z.imag, bulge) for z, bulge in spots))
 
 
-def _cam(ink: CamInk, turn: complex) -> Iterator[Ink]:
+def cam_body(ink: CamInk, turn: complex) -> Iterator[Ink]:
     """The contour as the cam stands, the path of the roller's centre thin; the base circle."""
     for contour in ink.figures("contour"):
         pen = "thin" if contour.name == THEORETICAL else "main"

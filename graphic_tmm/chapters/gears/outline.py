@@ -75,12 +75,9 @@ def fillet(reading: Reading, side: Flank) -> Controls:
 def outline(reading: Reading, wheel: Wheel) -> Iterator[Ink]:
     """Yield the outline of the three teeth of a wheel, with the root circle between and beside them."""
     centre = spot(reading, wheel.circles.centre)
-    roots: list[Controls] = []
+    roots = _roots(reading, wheel)
     for tooth in wheel.teeth:
         yield from tooth_outline(reading, tooth, centre)
-        for side in (tooth.left, tooth.right):
-            own = flank if side.fillet is None else fillet
-            roots.append(own(reading, side)[:1])
     spread = BESIDE * 2 * math.pi / float(reading[wheel.sizes.z][0, 0])
     spread = -spread if wheel.sizes.cut is None else spread
     if not all(roots):
@@ -92,6 +89,25 @@ def outline(reading: Reading, wheel: Wheel) -> Iterator[Ink]:
     sides = (side for tooth in wheel.teeth for side in (tooth.left, tooth.right))
     fillets = [side.fillet or side.flank for side in sides]
     yield from body(arcs, "tooth", [wheel.circles.root, *fillets])
+
+
+def pitch_outline(reading: Reading, wheel: Wheel) -> Iterator[Ink]:
+    """Yield the outline of one tooth with the root circle up to the next one: a wheel has it z times."""
+    centre, roots = spot(reading, wheel.circles.centre), _roots(reading, wheel)
+    yield from tooth_outline(reading, wheel.teeth[1], centre)
+    if all(roots):
+        right, left = roots[3][0], roots[4][0]
+        yield _between(right, centre, cmath.phase((left - centre) / (right - centre)))
+
+
+def _roots(reading: Reading, wheel: Wheel) -> list[Controls]:
+    """Return where each side of the three teeth begins at the root; () where it cannot be drawn."""
+    roots = []
+    for tooth in wheel.teeth:
+        for side in (tooth.left, tooth.right):
+            own = flank if side.fillet is None else fillet
+            roots.append(own(reading, side)[:1])
+    return roots
 
 
 def tooth_outline(reading: Reading, tooth: Tooth, centre: complex) -> Iterator[Ink]:

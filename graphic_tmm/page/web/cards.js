@@ -208,13 +208,13 @@ function fitting(shown, box, name) {
 
 /**
  * Let the letters of a drawing be read where it is small.
- * @param {Shown} shown
+ * @param {Pick<Shown, "svg" | "enlarged">} shown
  */
-function readable(shown) {
+export function readable(shown) {
   new ResizeObserver(() => weigh(shown)).observe(shown.svg);
 }
 
-/** @param {Shown} shown */
+/** @param {Pick<Shown, "svg" | "enlarged">} shown */
 function weigh(shown) {
   const { svg } = shown;
   const { width, height } = svg.getBoundingClientRect();

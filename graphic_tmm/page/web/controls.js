@@ -36,7 +36,7 @@ export function runner(say, turn) {
 /**
  * Return the range that turns the crank, for who has no pointer.
  * @param {string} name
- * @param {Dense} dense
+ * @param {Pick<Dense, "whole">} dense
  * @param {(turn: number) => void} go
  */
 export function turningRange(name, dense, go) {

@@ -19,10 +19,22 @@
  * @typedef {{name: string, width: number, height: number, format: string}} SheetSize
  * @typedef {{language: string, title: string, words: Record<string, string>, sheets: SheetSize[],
  *   parts: Record<string, string>, views: View[], crank?: Dense, live?: LiveData, practice?: Practice,
- *   own?: import("./own/corners.js").OwnPack, accuracy?: ErrorShares[]}} Data
+ *   own?: import("./own/corners.js").OwnPack, accuracy?: ErrorShares[],
+ *   turning?: Turning}} Data
  * @typedef {{quantity: string, shares: [string, number, string][], student?: boolean, most?: string,
  *   stop?: [number, number], views: number[]}} ErrorShares sources of an error with their shares in %, the largest
  *   first; the step that brings most, view and picture of it; the views that it belongs to; page/error_shares.py
+ *
+ * Cams and wheels that turn; the names are those of page/turning.py. A move turns counter-clockwise about a place or
+ * shifts along a direction, both with y downward; a body drawn once may have copies about a place: how many, where.
+ * @typedef {[boolean, number, number, import("./turning/courses.js").Course]} Move
+ * @typedef {{strokes: [string, string, boolean][], moves: Move[], copies?: [number, number, number],
+ *   letters?: [number, number, number, number, number][]}} RigidBody a letter: its glyph, where its base line begins
+ *   (y upward), the place that is carried
+ * @typedef {{title: string, caption: string, box: number[], still: [string, string, boolean][],
+ *   stands: [number, number, number][], bodies: RigidBody[],
+ *   values: [string, string, number, import("./turning/courses.js").Course][]}} TurningFigure
+ * @typedef {{decimal: string, pens: Dense["pens"], figures: TurningFigure[], glyphs: Glyph[]}} Turning
  *
  * The mechanism at every degree; the names are those of page/crank.py. A coordinate is a number of thousandths of
  * a millimetre, or a row and a distance; what is not always there says from which to behind which angle it is.

@@ -1,0 +1,169 @@
+"""A cam that turns, and its follower, which rises and falls (or swings) as its diagram says.
+
+They are drawn as the turn begins: the follower in its position 0.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.operations.curve import bezier
+from graphic_tmm.board.scales import Scale
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.cam.flat_rocker import FaceLever
+from graphic_tmm.chapters.cam.ink import (
+    CROSS,
+    PIN,
+    ROD,
+    TURN,
+    face_lever,
+    first_place,
+    rod,
+    shaft,
+)
+from graphic_tmm.chapters.cam.ink_rules import CamInk
+from graphic_tmm.chapters.cam.ink_scheme import cam_body
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
+from graphic_tmm.chapters.cam.profile import VIEW
+from graphic_tmm.chapters.cam.rocker import Lever
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.subjects import subject
+from graphic_tmm.language.units import unit
+from graphic_tmm.page.turning import (
+    WHOLE,
+    RigidBody,
+    Rotation,
+    Shift,
+    TurningPicture,
+    TurningPictures,
+    TurningValue,
+    row,
+)
+from graphic_tmm.paper.clipping import points
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
+from graphic_tmm.paper.symbols.kinematic import fixed_pivot
+from graphic_tmm.paper.views import mu_text
+from graphic_tmm.scene.captions import captions
+
+FINE = 32
+"""So many points tell an arc of the diagram between two positions: as exactly as lines are broad."""
+BESIDE = 5.0
+"""How far a face goes on behind its contacts, mm."""
+
+
+def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
+    """Yield the cam with its follower."""
+    if (cam := CAM_PLAN.of(drawn)) is None:
+        return
+    language = drawn.scene.language
+    on = subject(drawn, captions(language)["cam scheme"], "cam")
+    ink = CamInk(on, cam, VIEW)
+    high = displacements(ink)
+    follower = _follower(ink, high * drawn.value(cam.diagrams.S.chart.mu))
+    reach = ink.arc(cam.profile.working.upper, 0)[1] + CROSS
+    if follower is None or not math.isfinite(reach):
+        return
+    turning = RigidBody(tuple(cam_body(ink, 1 + 0j)), (Rotation(0j, float(cam.sense)),))
+    low = TURN * cmath.rect(1.0, math.radians(-90 + cam.sense * 15))
+    wanted = (
+        Wanted(
+            "O", 0j, ink.heights.point, 2.5, complex(-cam.sense, -1), (cam.profile.centre.slot,)
+        ),
+        Wanted("ω", low, ink.heights.number, 1.0, -1j),
+    )
+    axes = tuple(shaft(cam.profile.centre, reach, cam.sense))
+    rocks, letter = cam.order.rocks, cam.order.letters["S"]
+    told = np.degrees(high) if rocks else 1000.0 * high
+    told *= drawn.value(cam.diagrams.S.chart.mu)
+    yield TurningPicture(
+        on.title,
+        mu_text(Scale("μ_l", drawn.value(cam.profile.mu), "m/mm"), language),
+        Drawing(VIEW, on.title, axes, wanted=wanted),
+        (turning, *follower),
+        (
+            TurningValue("φ", "°", 0, 1.0),
+            TurningValue(letter, "°" if rocks else unit("mm", language), 1, row(told)),
+        ),
+    )
+
+
+def displacements(ink: CamInk) -> Reals:
+    """Return how high the diagram of S stands at every degree of the turn, mm; NaN where it is not there."""
+    diagrams = ink.cam.diagrams
+    origin = ink.point(diagrams.S.axes.origin, 0)
+    whole = ink.fixed_number(diagrams.base.length)
+    runs = [run for curve in diagrams.S.curves for run in bezier(ink.reading[curve])]
+    if len(runs) < len(diagrams.S.curves):
+        return np.full(WHOLE, np.nan)
+    spots = np.concatenate([points(run, FINE * (len(run) // 3) + 1) for run in runs]) - origin
+    angles = WHOLE * spots.real / whole
+    ends = np.concatenate([angles[-1:] - WHOLE, angles, angles[:1] + WHOLE])
+    heights = np.concatenate([spots.imag[-1:], spots.imag, spots.imag[:1]])
+    return np.interp(np.arange(WHOLE), ends, heights)
+
+
+class _Placed(NamedTuple):
+    """A follower as the turn begins: the place of its roller, edge or contact; how far it goes from there.
+
+    ``far``: at every degree, m or radians.
+    """
+
+    start: complex
+    far: Reals
+
+
+def _follower(ink: CamInk, high: Reals) -> tuple[RigidBody, ...] | None:
+    """Return the follower and what guides it; ``high``: at every degree, m or radians."""
+    made = ink.cam.profile
+    at = _Placed(
+        first_place(ink, complex(ink.all((made.theoretical or made.working).points)[0])),
+        high - high[0],
+    )
+    if not (cmath.isfinite(at.start) and np.isfinite(high).all()):
+        return None
+    path = ink.cam.path
+    return _swinging(ink, path, at) if isinstance(path, Lever | FaceLever) else _upright(ink, at)
+
+
+def _roller(ink: CamInk, start: complex) -> Iterator[Ink]:
+    if ink.cam.profile.roller is not None:
+        yield circle("main", start, ink.fixed_number(ink.cam.profile.roller))
+        yield circle("joint", start, PIN)
+
+
+def _swinging(ink: CamInk, path: Lever | FaceLever, at: _Placed) -> tuple[RigidBody, ...]:
+    """The lever with its roller or face, and its pivot."""
+    (lever,) = ink.figures("face lever" if isinstance(path, FaceLever) else "lever")
+    pivot, foot = (first_place(ink, complex(ink.all(mark)[0])) for mark in lever.marks[:2])
+    bar: Ink = line("main", pivot, at.start)
+    if isinstance(path, FaceLever):
+        bar, *_ = face_lever(ink, pivot, foot, at.start)
+    angle = row(path.sense * np.degrees(at.far))
+    moving = RigidBody((bar, *_roller(ink, at.start)), (Rotation(pivot, angle),))
+    return moving, RigidBody(fixed_pivot(pivot))
+
+
+def _upright(ink: CamInk, at: _Placed) -> tuple[RigidBody, ...]:
+    """The rod with its roller, edge or face, and its guide, which the roller does not reach."""
+    made, start = ink.cam.profile, at.start
+    far = at.far / ink.fixed_number(made.mu)
+    roller, strokes = [*_roller(ink, start)], list[Ink]()
+    if made.theoretical is None:
+        assert made.feet is not None
+        feet, contacts = ink.all(made.feet), ink.all(made.working.points)
+        half = float(np.nanmax(np.abs(contacts - feet))) + BESIDE
+        start = first_place(ink, complex(feet[0]))
+        strokes.append(line("main", start - half, start + half))
+    radius = ink.fixed_number(made.roller) if made.roller is not None else 0.0
+    edge, long = made.roller is None and made.theoretical is not None, ROD + float(np.ptp(far))
+    bar, *guide = rod(start, radius, edge=edge, length=long)
+    moving = RigidBody((*roller[:1], *strokes, bar, *roller[1:]), (Shift(1j, row(far)),))
+    return RigidBody(tuple(guide)), moving
+
+
+PICTURES = TurningPictures(pictures)
