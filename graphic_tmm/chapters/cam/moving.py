@@ -100,11 +100,13 @@ def displacements(ink: CamInk) -> Reals:
     runs = [run for curve in diagrams.S.curves for run in bezier(ink.reading[curve])]
     if len(runs) < len(diagrams.S.curves):
         return np.full(WHOLE, np.nan)
-    spots = np.concatenate([points(run, FINE * (len(run) // 3) + 1) for run in runs]) - origin
+    spots = (
+        np.concatenate([points(run.tolist(), FINE * (len(run) // 3) + 1) for run in runs]) - origin
+    )
     angles = WHOLE * spots.real / whole
     ends = np.concatenate([angles[-1:] - WHOLE, angles, angles[:1] + WHOLE])
     heights = np.concatenate([spots.imag[-1:], spots.imag, spots.imag[:1]])
-    return np.interp(np.arange(WHOLE), ends, heights)
+    return np.asarray(np.interp(np.arange(WHOLE), ends, heights))
 
 
 class _Placed(NamedTuple):

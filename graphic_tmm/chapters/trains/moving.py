@@ -63,7 +63,11 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
         mu_text(drawn.scales["planetary"], language),
         Drawing("", on.title, tuple(train.stands())),
         (*train.wheels(), *train.satellites(), *train.carrier()),
-        tuple(TurningValue(f"φ_{{{name}}}", "°", 1, rates[name]) for name in rates if rates[name]),
+        tuple(
+            TurningValue(f"φ_{{{name}}}", "°", 1, rates[name])
+            for name in sorted(rates)
+            if rates[name]
+        ),
         (c.real - reach, c.imag - reach, c.real + reach, c.imag + reach),
     )
 
