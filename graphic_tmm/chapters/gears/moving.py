@@ -39,6 +39,8 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     wheels = zip(made.wheels, rates, strict=True)
     bodies = [body for wheel, rate in wheels for body in _wheel(ink, wheel, rate, shown)]
     teeth = [stroke for wheel in made.wheels for stroke in outline(drawn.reading, wheel)]
+    if not teeth:
+        return
     left, low, right, top = bounds(Drawing("", on.title, tuple(teeth)))
     yield TurningPicture(
         on.title,

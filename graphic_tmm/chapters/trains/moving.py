@@ -55,7 +55,8 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     on = subject(drawn, captions(language)["planetary"], "planetary")
     ink = TrainInk(on.seen(VIEWS, range(made.train.satellites)), made, on.heights)
     teeth = {wheel: round(drawn.value(z)) for wheel, z in made.sizes.teeth.items()}
-    rates = member_rates(made, teeth)
+    if (rates := member_rates(made, teeth)) is None:
+        return
     train = _Train(ink, rates, teeth)
     reach, c = ink.reach + HATCH_DEPTH + CENTRE_BEYOND, ink.centre
     yield TurningPicture(
@@ -72,10 +73,11 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     )
 
 
-def member_rates(made: Planetary, z: Mapping[str, int]) -> dict[str, float]:
+def member_rates(made: Planetary, z: Mapping[str, int]) -> dict[str, float] | None:
     """Return how fast members turn, by their names, over the faster of those that drive (of its size).
 
-    Seen from the carrier the pitch circles of every mesh go equally fast, as the formula of Willis says.
+    Seen from the carrier the pitch circles of every mesh go equally fast, as the formula of Willis says. None of
+    a train whose members cannot move so.
     """
     scheme, motion = made.train.scheme, made.motion
     names = [*(mesh.wheel for mesh in scheme.meshes), "2", "H"]
@@ -88,6 +90,8 @@ def member_rates(made: Planetary, z: Mapping[str, int]) -> dict[str, float]:
     for k, (name, omega) in enumerate(known.items(), len(scheme.meshes)):
         matrix[k, names.index(name)], right[k] = 1.0, omega
     per = max(map(abs, motion.driving.values())) or 1.0
+    if np.linalg.matrix_rank(matrix) < len(names):
+        return None
     found = np.linalg.solve(matrix, right) / per
     return {name: float(omega) for name, omega in zip(names, found, strict=True)}
 
