@@ -52,10 +52,16 @@ def points(stroke: Ink) -> np.ndarray:
     return np.column_stack([all_.real, all_.imag])
 
 
-def laid(body: RigidBody, turn: float, *pens: str) -> shapely.MultiLineString:
-    """Return the strokes of a body (of some pens) with its copies, moved as it says."""
+def laid(
+    body: RigidBody, turn: float, *pens: str, part: str | None = None
+) -> shapely.MultiLineString:
+    """Return the strokes of a body (of some pens, of a part) with its copies, moved as it says."""
     own = shapely.MultiLineString(
-        [points(stroke) for stroke in body.strokes if not pens or stroke.pen in pens]
+        [
+            points(stroke)
+            for stroke in body.strokes
+            if (not pens or stroke.pen in pens) and part in (None, stroke.part)
+        ]
     )
     at = (body.centre.real, body.centre.imag)
     copies = [affinity.rotate(own, 360.0 * k / body.copies, origin=at) for k in range(body.copies)]
@@ -92,4 +98,6 @@ def inside(lines: shapely.MultiLineString) -> shapely.Polygon:
         line = left.pop(int(k))
         chain.append(line[::-1] if end else line)
     assert np.linalg.norm(chain[-1][-1] - chain[0][0]) < JOINED
-    return shapely.Polygon(np.concatenate(chain)).buffer(0.0)
+    found = shapely.Polygon(np.concatenate([line[:-1] for line in chain]))
+    assert found.is_valid
+    return found

@@ -48,7 +48,7 @@ class ArcNames(NamedTuple):
     omega: str = "ω_{1}"
 
 
-class _Ink(Seen):
+class ContourInk(Seen):
     """The view of the contour and its numbers while it is inked."""
 
     def __init__(self, on: Subject, made: ArcCam) -> None:
@@ -73,9 +73,15 @@ class _Ink(Seen):
 
 def draw_contour_ink(on: Subject, made: ArcCam, names: ArcNames) -> Drawing:
     """Return the contour with its follower in reversed motion."""
-    ink = _Ink(on, made)
+    ink = ContourInk(on, made)
     traces = figure(ink, showing({}))
-    strokes = [*traces.staying, *_contour(ink), *_ways(ink), *_inverted(ink), *_lowest(ink)]
+    strokes = [
+        *traces.staying,
+        *contour_body(ink),
+        *contour_ways(ink),
+        *_inverted(ink),
+        *_lowest(ink),
+    ]
     reach = float(np.nanmax(np.abs(ink.points))) + CROSS
     strokes += shaft(made.contour.origin, reach, made.sense)
     radii = {name: _radius(ink, name) for name in names.radii}
@@ -99,7 +105,7 @@ def from_to(pen: str, centre: complex, start: complex, end: complex, sense: int)
     return [arc(pen, centre, radius, begin, sense * turn)]
 
 
-def _contour(ink: _Ink) -> Iterator[Ink]:
+def contour_body(ink: ContourInk) -> Iterator[Ink]:
     """The contour: base circle, flanks, nose, each from where it touches the one before; or one circle."""
     contour, sense = ink.made.contour, -ink.made.sense
     if ink.made.order.eccentric:
@@ -119,7 +125,7 @@ def _contour(ink: _Ink) -> Iterator[Ink]:
         yield from body(made, "contour", [one.centre, *of])
 
 
-def _whole(ink: _Ink, one: Arc, radius: Mark | None, pen: str, part: str) -> Iterator[Ink]:
+def _whole(ink: ContourInk, one: Arc, radius: Mark | None, pen: str, part: str) -> Iterator[Ink]:
     """The whole circle about the centre of an arc."""
     assert one.centre is not None
     assert radius is not None
@@ -127,7 +133,7 @@ def _whole(ink: _Ink, one: Arc, radius: Mark | None, pen: str, part: str) -> Ite
     yield from body(made, part, [one.centre, radius])
 
 
-def _ways(ink: _Ink) -> Iterator[Ink]:
+def contour_ways(ink: ContourInk) -> Iterator[Ink]:
     """What the roller's centre goes along, the base circle in full, the centres of the arcs."""
     contour = ink.made.contour
     base = contour.arcs["base"]
@@ -143,7 +149,7 @@ def _ways(ink: _Ink) -> Iterator[Ink]:
             yield from body([dot], "pivot", [one.centre])
 
 
-def _pitch(ink: _Ink) -> Iterator[Ink]:
+def _pitch(ink: ContourInk) -> Iterator[Ink]:
     """The path of the roller's centre: each arc goes on from where the one before it ended."""
     contour, sense = ink.made.contour, -ink.made.sense
     if ink.made.order.eccentric:
@@ -168,7 +174,7 @@ def _pitch(ink: _Ink) -> Iterator[Ink]:
         yield from body(made, "path", of)
 
 
-def _outward(ink: _Ink, flank: Arc, spot: complex, low: complex) -> complex:
+def _outward(ink: ContourInk, flank: Arc, spot: complex, low: complex) -> complex:
     """Return the direction out of the cam at a place of a flank; ``low``: where it touches the base."""
     if flank.centre is None:
         return low / abs(low)
@@ -176,7 +182,7 @@ def _outward(ink: _Ink, flank: Arc, spot: complex, low: complex) -> complex:
     return (-way if flank.hollow else way) / abs(way)
 
 
-def _inverted(ink: _Ink) -> Iterator[Ink]:
+def _inverted(ink: ContourInk) -> Iterator[Ink]:
     """Guides, rollers, levers, faces in all positions."""
     follower, contour = ink.made.follower, ink.made.contour
     lines = ink.reading[follower.guides]
@@ -198,7 +204,7 @@ def _inverted(ink: _Ink) -> Iterator[Ink]:
             rod = [line("thin", complex(starts[k]), top)]
             yield from body(rod, "guide", [follower.guides, follower.points], k)
         if contacts is not None and follower.contacts is not None and pivots is not None:
-            face = _face(complex(pivots[k]), at, complex(contacts[k]), "thin")
+            face = lever_face(complex(pivots[k]), at, complex(contacts[k]), "thin")
             yield from body(face, "face", [follower.points, follower.contacts], k)
         elif contacts is not None and follower.contacts is not None:
             half = (abs(complex(contacts[k]) - at) + 2 * BEYOND) * 1j * complex(ways[k])
@@ -213,7 +219,7 @@ def _inverted(ink: _Ink) -> Iterator[Ink]:
         yield from body([circle("thin", 0j, abs(pivot))], "circle", [follower.pivots])
 
 
-def _face(pivot: complex, at: complex, contact: complex, pen: str) -> list[Ink]:
+def lever_face(pivot: complex, at: complex, contact: complex, pen: str) -> list[Ink]:
     """Return the face of a lever through its contact, and the arm to it from the pivot."""
     way, off = (at - pivot) / abs(at - pivot), contact - at
     return [
@@ -222,7 +228,7 @@ def _face(pivot: complex, at: complex, contact: complex, pen: str) -> list[Ink]:
     ]
 
 
-def _lowest(ink: _Ink) -> Iterator[Ink]:
+def _lowest(ink: ContourInk) -> Iterator[Ink]:
     """The follower in the first position in full."""
     follower, start = ink.made.follower, complex(ink.points[0])
     if not finite(start):
@@ -235,7 +241,7 @@ def _lowest(ink: _Ink) -> Iterator[Ink]:
         pivot = complex(ink.all(follower.pivots)[0])
         strokes: list[Ink] = [*fixed_pivot(pivot)]
         if flat and follower.contacts is not None:
-            strokes += _face(pivot, start, complex(ink.all(follower.contacts)[0]), "main")
+            strokes += lever_face(pivot, start, complex(ink.all(follower.contacts)[0]), "main")
             of.append(follower.contacts)
         else:
             strokes.append(line("main", pivot, start))
@@ -249,9 +255,9 @@ def _lowest(ink: _Ink) -> Iterator[Ink]:
     )
 
 
-def rod(at: complex, roller: float, *, pointed: bool) -> list[Ink]:
+def rod(at: complex, roller: float, *, pointed: bool, length: float = ROD) -> list[Ink]:
     """Return the rod of a follower that slides, upright in its guide; ``roller``: its radius, mm."""
-    half, top = 0.5 * WIDTH, at + 1j * (ROD + roller)
+    half, top = 0.5 * WIDTH, at + 1j * (length + roller)
     corners = [at - half, at + half, top + half, top - half]
     if pointed:
         corners = [at, at + half + 1j * WIDTH, top + half, top - half, at - half + 1j * WIDTH]
@@ -259,7 +265,7 @@ def rod(at: complex, roller: float, *, pointed: bool) -> list[Ink]:
     return [line("body", *corners, closed=True), *guide]
 
 
-def _letters(ink: _Ink, names: ArcNames) -> Iterator[Wanted]:
+def _letters(ink: ContourInk, names: ArcNames) -> Iterator[Wanted]:
     """The letters of the centres, the radii beside their arcs."""
     contour, high = ink.made.contour, ink.heights
     free = complex(-ink.made.sense)
@@ -282,7 +288,7 @@ class _Radius(NamedTuple):
     text: tuple[complex, float, float, complex, tuple[int, ...]]
 
 
-def _radius(ink: _Ink, name: str) -> _Radius:
+def _radius(ink: ContourInk, name: str) -> _Radius:
     """Return the leader of an arc's radius: towards its centre, or from outside where that is too near."""
     contour = ink.made.contour
     one, spots = contour.arcs[name], [ink.fixed_place(mark) for mark in contour.touches]
@@ -305,7 +311,7 @@ def _radius(ink: _Ink, name: str) -> _Radius:
     return _Radius(tuple(strokes), (tail, ink.heights.number, 0.8, -way, (one.radius.slot,)))
 
 
-def _numbers(ink: _Ink, names: Sequence[str]) -> Iterator[Wanted]:
+def _numbers(ink: ContourInk, names: Sequence[str]) -> Iterator[Wanted]:
     """The numbers of the positions, behind the rollers."""
     follower, named = ink.made.follower, []
     lines = ink.reading[follower.guides]

@@ -76,8 +76,8 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
 def member_rates(made: Planetary, z: Mapping[str, int]) -> dict[str, float] | None:
     """Return how fast members turn, by their names, over the faster of those that drive (of its size).
 
-    Seen from the carrier the pitch circles of every mesh go equally fast, as the formula of Willis says. None of
-    a train whose members cannot move so.
+    Seen from the carrier the pitch circles of every mesh go equally fast, as the formula of Willis says. None
+    of a train whose members cannot move so.
     """
     scheme, motion = made.train.scheme, made.motion
     names = [*(mesh.wheel for mesh in scheme.meshes), "2", "H"]

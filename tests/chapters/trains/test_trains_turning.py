@@ -24,8 +24,8 @@ def case(scheme: str, teeth: str, more: str = "") -> str:
 
 
 CASES = {
-    "planetary": ("ring", str(SHEETS / "planetary")),
-    "differential": ("ring", str(SHEETS / "differential")),
+    "usual": ("ring", str(SHEETS / "planetary")),
+    "two drive": ("ring", str(SHEETS / "differential")),
     "3K": ("3K", str(SHEETS / "train-3k")),
     "carrier drives": ("ring", case("ring", "[24, 24, 72]", 'driving = "H"')),
     "carrier stands": ("ring", case("ring", "[24, 24, 72]", 'fixed = "H"')),
@@ -102,7 +102,7 @@ def test_wheels_in_mesh_roll(tmp_path: Path, train: str) -> None:
 
 def test_it_turns_as_willis_says(tmp_path: Path) -> None:
     """U_1H = 1 + 89/25 as published; the ring stands, the satellite turns back by −1127/2888."""
-    shown = picture(tmp_path, CASES["planetary"][1])
+    shown = picture(tmp_path, CASES["usual"][1])
     rates = {value.letter: value.course for value in shown.values}
     assert rates["φ_{1}"] == 1.0
     assert rates["φ_{H}"] == pytest.approx(25.0 / (25.0 + 89.0))
