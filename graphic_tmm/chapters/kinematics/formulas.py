@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.geometry import cis, degrees
 from graphic_tmm.board.grammar import ANGLE, operation
-from graphic_tmm.board.values import Angle, Line, Number
+from graphic_tmm.board.values import Angle, Length, Line, Number
 from graphic_tmm.language.said import said
 
 
@@ -27,6 +27,21 @@ def external_ratio(other: Number, own: Number) -> Number:
 )
 def internal_ratio(other: Number, own: Number) -> Number:
     """{other}/{own}"""
+
+
+_SHARES = said(
+    "The pitch circles touch where the distance of the centres is divided as the teeth (the radii) are."
+)
+
+
+@formula(why=_SHARES)
+def external_radius(length: Length, other: Number, own: Number) -> Length:
+    """{length}·{own}/({other} + {own})"""
+
+
+@formula(why=_SHARES)
+def internal_radius(length: Length, other: Number, own: Number) -> Length:
+    """{length}·{own}/|{other} − {own}|"""
 
 
 @formula(

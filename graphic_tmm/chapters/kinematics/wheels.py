@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import angle_by_angle
-from graphic_tmm.board.operations.instruments import join, lay_off, parallel, ray
+from graphic_tmm.board.operations.instruments import join, lay_off, measure, parallel, ray
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.kinematics.bodies import (
@@ -32,7 +32,9 @@ from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.drives.rack import Rack
 from graphic_tmm.chapters.kinematics.formulas import (
     bearing_near,
+    external_radius,
     external_ratio,
+    internal_radius,
     internal_ratio,
     rolled_between,
     rolled_by,
@@ -117,12 +119,15 @@ class Wheels:
         line = draft.draw(join, f"({rolling.pin}{rolling.other})", centre, other, why=CENTRES)
         if inside:
             line = draft.draw(parallel, name, centre, line, sense=-1, why=OUTWARDS)
-        radius = draft.length(f"{rolling.pin}{rolling.letter}", abs(rolling.reach))
+        apart = draft.draw(measure, f"{rolling.pin}{rolling.other}", centre, other)
+        sizes = self._sizes(rolling)
+        share = internal_radius if rolling.mesh.internal else external_radius
+        radius = draft.draw(share, f"{rolling.pin}{rolling.letter}", apart, *sizes)
         pitch = draft.draw(lay_off, rolling.letter, line, radius, why=PITCH_POINT)
         own = link.points[rolling.pin]
         ends = [(letter, z) for letter, z in link.points.items() if letter != rolling.pin]
         bend = math.degrees(cmath.phase(ends[0][1] - own)) if ends else 0.0
-        angle = self._angle(rolling, bend)
+        angle = self._angle(rolling, bend, sizes)
         told = f"({rolling.pin}{ends[0][0]})" if ends else f"({link.number})"
         axis = draft.draw(ray, told, centre, angle, why=WHEEL_AXIS)
         body = self.bodies[link.number] = Body(link, own, bend, lambda: axis)
@@ -134,7 +139,7 @@ class Wheels:
         leg = PinLeg(link.number, rolling.body, rolling.pin, centre, line, radius)
         self.drawn.append(Meshed(rolling, leg, pitch, angle))
 
-    def _angle(self, rolling: Rolling, bend: float) -> Mark:
+    def _angle(self, rolling: Rolling, bend: float, sizes: list[Mark]) -> Mark:
         """Calculate the angle of a wheel's link; ``bend``: of the direction in own axes that it is of."""
         draft, number, ratio = self.draft, rolling.link, rolling.ratio
         arm, on = self._known(rolling.arm), self._known(rolling.on)
@@ -142,7 +147,8 @@ class Wheels:
         off -= (1.0 - ratio) * arm[1] if arm else 0.0
         off -= ratio * on[1] if on else 0.0
         start = draft.angle(f"φ_{{{number}0}}", off)
-        share = self._ratio(rolling)
+        op = internal_ratio if rolling.mesh.internal else external_ratio
+        share = draft.draw(op, f"u_{{{number}{rolling.on}}}", *sizes)
         if arm is None and on is not None:
             uses, op = (start, share, on[0]), rolled_by
         elif arm is not None and on is None:
@@ -153,18 +159,17 @@ class Wheels:
             return draft.draw(rolled_between, f"φ_{number}", start, arm[0], share, on[0], unit="°")
         return draft.draw(op, f"φ_{number}", *uses, unit="°")
 
-    def _ratio(self, rolling: Rolling) -> Mark:
+    def _sizes(self, rolling: Rolling) -> list[Mark]:
+        """Take the teeth, or pitch radii, of the other wheel and of this one."""
         draft, mesh = self.draft, rolling.mesh
         own = mesh.links.index(rolling.link)
         letter, unit = ("z", "") if mesh.toothed else ("r", "m")
-        sizes = [
+        return [
             draft.constant(f"{letter}_{{{rolling.letter}{mesh.links[k]}}}", mesh.sizes[k], unit)
             if len(self.mechanism.meshes) > 1
             else draft.constant(f"{letter}_{mesh.links[k]}", mesh.sizes[k], unit)
             for k in (1 - own, own)
         ]
-        op = internal_ratio if mesh.internal else external_ratio
-        return draft.draw(op, f"u_{{{rolling.link}{rolling.on}}}", *sizes)
 
     def _known(self, number: int) -> tuple[Mark, float] | None:
         """Return the angle of a link, and of which direction in its own axes; None of the frame."""
