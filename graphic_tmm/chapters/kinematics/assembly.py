@@ -18,7 +18,8 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Reals
 from graphic_tmm.chapters.kinematics.bodies import dyads
 from graphic_tmm.chapters.kinematics.positions import side_record
-from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
+from graphic_tmm.chapters.kinematics.survey import Survey
+from graphic_tmm.chapters.kinematics.winding import STEPS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.groups import Group

@@ -25,8 +25,9 @@ from graphic_tmm.chapters.kinematics.assembly import check_assembly
 from graphic_tmm.chapters.kinematics.bodies import Body, draw_guide
 from graphic_tmm.chapters.kinematics.dyads import rocker_offset
 from graphic_tmm.chapters.kinematics.positions import side_record
-from graphic_tmm.chapters.kinematics.survey import STEPS, Survey
+from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
+from graphic_tmm.chapters.kinematics.winding import STEPS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import Said, said
 from graphic_tmm.mechanism.groups import Group

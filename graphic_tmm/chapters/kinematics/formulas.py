@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.geometry import cis, degrees
 from graphic_tmm.board.grammar import ANGLE, operation
@@ -72,6 +74,16 @@ def rolled_round(start: Angle, arm: Angle, ratio: Number) -> Angle:
 )
 def rolled_between(start: Angle, arm: Angle, ratio: Number, turned: Angle) -> Angle:
     """{start} + {arm} + {ratio}·({turned} − {arm})"""
+
+
+@operation(
+    symbol=ANGLE,
+    fails="over more turns the angle by which a wheel rolls swings by more than a whole turn and back",
+    why=said("So far from 0° it was tried that the angle stays within half a turn of this."),
+)
+def near_while_tried(near: Angle, row: Angle, most: Angle) -> Angle:
+    """Take {near} while {row} is within {most}."""
+    return Angle(np.where(np.abs(row) <= most, near, np.nan))
 
 
 @operation(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import product
 
 import numpy as np
 
@@ -34,16 +33,13 @@ from graphic_tmm.chapters.kinematics.positions import (
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Winding
+from graphic_tmm.chapters.kinematics.winding import STEPS, winding
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import class_two
 from graphic_tmm.mechanism.records import TURN, Mechanism, Sweep
-from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.mechanism.structure import Structure
 
-STEPS = 1440
-"""So many places are tried: every quarter of a degree of a turn."""
-TRIED, COUNTED, SAME = 3, (1, -1, 2, -2, 3, -3), 1e-6
-"""So many turns are tried to see what an angle counts on by, times what; swings nearer are alike (°)."""
 WHOLE = 1e-9
 """A number of turns that is off a whole one by no more than this is that, rounded."""
 
@@ -160,51 +156,6 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
     given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
     log = draft.board.construction()
     return Survey(mechanism, structure, log, given, positions, velocities, axes, zero, windings)
-
-
-def winding(wheels: Wheels, number: int) -> Winding:
-    """Return how the angle of a link goes on while the drive goes through all that it can, by trying.
-
-    It is counted along the drive's coordinate or the angle of a wheel that stands already, whichever it keeps
-    nearest to; it has to stay within half a turn of that.
-    """
-    draft, mechanism = wheels.draft, wheels.mechanism
-    axis, row = wheels.bodies[number].axis, wheels.row[0]
-    sweep = driven(mechanism, dissect(mechanism))[0].sweep
-    turns = TRIED if sweep.closed else 1
-    way = np.linspace(sweep.low, sweep.low + turns * (sweep.high - sweep.low), turns * STEPS + 1)
-    given = draft.given | {draft.mu_l: 1.0, row: way[None, :]} | standing(wheels, way[None, :])
-    marks = [axis, *wheels.counted]
-    reading = execute(draft.board.construction(), given, marks)
-    along = np.broadcast_to(reading[axis].along, (1, way.size))[0]
-    there = np.isfinite(along)
-    for mark in wheels.counted:
-        there = there & np.isfinite(reading[mark][0])
-    runs = np.split(np.flatnonzero(there), np.flatnonzero(np.diff(np.flatnonzero(there)) > 1) + 1)
-    best, least = Winding(0, 0.0), TURN.high
-    for by, times in [(-1, 0), *product(range(len(wheels.counted)), COUNTED)]:
-        line = reading[wheels.counted[by]][0] * times if times else np.zeros(way.size)
-        swings = np.broadcast_to(line, way.shape)
-        parts = [np.degrees(np.unwrap(np.angle(along[k]))) - swings[k] for k in runs if k.size]
-        if not parts:
-            break
-        whole = [
-            part - TURN.high * round((part - parts[0].mean()).mean() / TURN.high) for part in parts
-        ]
-        low, high = (float(f(np.concatenate(whole))) for f in (np.min, np.max))
-        if high - low < least - SAME:
-            best, least = Winding(times, round((low + high) / 2.0, 1), by), high - low
-    if least >= TURN.high and there.any():
-        raise StructureError(
-            said(
-                "a wheel rolls by the angle of link {number}, which swings by more than a whole turn and back: "
-                "this board cannot follow it",
-                number=number,
-            ),
-            f"link {number}",
-            head="mesh",
-        )
-    return best
 
 
 def _steady(mechanism: Mechanism, structure: Structure) -> tuple[Mechanism, Structure]:

@@ -36,6 +36,7 @@ from graphic_tmm.chapters.kinematics.formulas import (
     external_ratio,
     internal_radius,
     internal_ratio,
+    near_while_tried,
     rolled_between,
     rolled_by,
     rolled_round,
@@ -59,12 +60,13 @@ WHEEL_AXIS = said(
 class Winding(NamedTuple):
     """How a link's angle goes on: near ``middle`` (degrees) and so many ``times`` what it is counted by.
 
-    ``by``: of `Wheels.counted`.
+    ``by``: of `Wheels.counted`. ``within``: so far from 0 the drive's coordinate may be, degrees; 0: anywhere.
     """
 
-    times: int
+    times: float
     middle: float
     by: int = 0
+    within: float = 0.0
 
 
 Wound = Callable[[int, "Wheels"], Winding]
@@ -90,6 +92,7 @@ class Wheels:
         self.closings: list[Closing] = []
         self.sides: dict[str, Mark] = {}
         self.row: list[Mark] = []
+        self.pairs: list[DrivenPair] = []
 
     @property
     def positions(self) -> Positions:
@@ -106,6 +109,7 @@ class Wheels:
     def drive(self, pair: DrivenPair, at: Mark) -> None:
         """Note where a drive stands."""
         self.row.append(at)
+        self.pairs.append(pair)
         if isinstance(pair, Crank) and not isinstance(pair, Rack):
             self.angles[pair.link] = at, self.bodies[pair.link].angle
 
@@ -182,13 +186,16 @@ class Wheels:
     def _read(self, number: int) -> Mark:
         draft, axis = self.draft, self.bodies[number].axis
         assert self.wound is not None, number
-        times, middle, by = self.wound(number, self)
+        times, middle, by, within = self.wound(number, self)
         near = draft.direction(middle)
         if times:
-            zero, share = draft.direction(0.0), draft.constant("", float(times), "")
+            zero, share = draft.direction(0.0), draft.constant("", times, "")
             near = draft.draw(
                 angle_by_angle, f"φ′_{number}", near, share, self.counted[by], zero, unit="°"
             )
+        if within:
+            most = draft.angle(f"φ_{{{number}max}}", within)
+            near = draft.draw(near_while_tried, f"φ″_{number}", near, self.row[0], most, unit="°")
         return draft.draw(bearing_near, f"φ_{number}", axis, near, unit="°")
 
 

@@ -22,7 +22,8 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.assembly import Assembly, check_assembly
-from graphic_tmm.chapters.kinematics.survey import STEPS, Survey, survey
+from graphic_tmm.chapters.kinematics.survey import Survey, survey
+from graphic_tmm.chapters.kinematics.winding import STEPS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Side, Slide
 from graphic_tmm.mechanism.structure import dissect
