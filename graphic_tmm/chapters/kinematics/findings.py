@@ -12,9 +12,11 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.chapters.kinematics.views import warned
 from graphic_tmm.drawn import Drawn, Findings
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.readers.findings import Warned
+from graphic_tmm.scene.meshes import APART
 
 
 def assumed(drawn: Drawn) -> Iterator[str]:
@@ -50,4 +52,30 @@ def _undrawn(project: Project, reading: Reading) -> tuple[int, ...]:
 FINDINGS = Findings(undrawn=_undrawn)
 
 
-WARNINGS = Warned(warned)
+def _warned(drawn: Drawn, language: str) -> Iterator[str]:
+    """Yield what the views warn of, and wheels in two meshes whose pitch radii are two."""
+    yield from warned(drawn, language)
+    known: dict[tuple[int, str, float], float] = {}
+    for rolling in KINEMATICS_PLAN.on(drawn).structure.wheels:
+        mesh, radii = rolling.mesh, {rolling.link: rolling.reach, rolling.on: rolling.away}
+        for link, centre, size in zip(mesh.links, mesh.centres, mesh.sizes, strict=True):
+            radius = abs(radii[link])
+            other = known.setdefault((link, centre, size), radius)
+            if abs(radius - other) > APART * other:
+                yield speaking(language)(
+                    _TWO_RADII,
+                    link=link,
+                    centre=centre,
+                    first=1000.0 * other,
+                    second=1000.0 * radius,
+                    modules=" ≠ ".join(f"{2000.0 * one / size:.4g}" for one in (other, radius)),
+                )
+
+
+_TWO_RADII = said(
+    "the wheel of link {link} about {centre} is in two meshes, with the pitch radii {first:.4g} and "
+    "{second:.4g} mm: one wheel has one (the module 2r/z: {modules} mm); move a centre or change teeth"
+)
+
+
+WARNINGS = Warned(_warned)

@@ -85,12 +85,11 @@ def _wheel(
 ) -> None:
     """Read the velocity of the pitch point, common to both wheels, about the centre of the one that rolls."""
     rolling, leg, pole = wheel.rolling, wheel.leg, plan.images.pole
-    start, point = pivot_image(plan, leg), f"{rolling.letter}{rolling.pin}"
-    radius = f"l_{{{rolling.pin}{rolling.letter}}}"
-    about = f"ω_{leg.link}·{radius}" if start == pole else f"v_{rolling.pin} + v_{{{point}}}"
-    square_to = rolling.letter if start == pole else f"{{{point}}}"
-    draft.say(f"v_{rolling.letter} = {about},  v_{square_to} ⊥ {rolling.pin}{rolling.letter}")
-    image = plan.images.of(rolling.on, wheel.pitch, rolling.letter, wheel.letter)
+    start, letter, pin = pivot_image(plan, leg), rolling.letter, rolling.pin
+    point = letter if start == pole else f"{letter}{pin}"
+    about = f"ω_{leg.link}·l_{{{pin}{letter}}}" if start == pole else f"v_{pin} + v_{{{point}}}"
+    draft.say(f"v_{{{letter}}} = {about},  v_{{{point}}} ⊥ {pin}{letter}")
+    image = plan.images.of(rolling.on, wheel.pitch, letter, wheel.letter)
     if image == pole:
         image = draft.draw(coincide, wheel.letter, pole, free=True, why=why.STANDING_WHEEL)
     elif start != pole:

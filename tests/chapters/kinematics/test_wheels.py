@@ -14,9 +14,11 @@ from support.wheel_loops import FiveBar, Planet, rates
 from support.wheels import geared, near
 
 import graphic_tmm as tmm
+from graphic_tmm.chapters.kinematics.findings import WARNINGS
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.studio import make
 
 RATIO = 1e-9
 
@@ -230,3 +232,63 @@ def test_a_wheel_behind_a_wheel_goes_on_without_a_leap_over_turns() -> None:
     way = np.unwrap(np.angle(found.places["E", 6] - found.places["C", 6]))
     rolled = np.cumsum((found.omega[6][1:] + found.omega[6][:-1]) / 2.0) * np.radians(0.5) / 10.0
     assert np.allclose(way[1:] - way[0], rolled, atol=1e-3)
+
+
+TRAIN = """
+title = "T"
+language = "en"
+[frame]
+O = [0, 0]
+D = [0.1, 0]
+G = [0.1, -0.08]
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.03, 0] }
+[[link]]
+number = 2
+points = { D = [0, 0] }
+[[link]]
+number = 3
+points = { G = [0, 0], T = [0.02, 0] }
+[[link]]
+number = 4
+points = { A = [0, 0], B = [0.15, 0] }
+[[link]]
+number = 5
+points = { T = [0, 0], B = [0.15, 0] }
+side = "right of AT"
+[[mesh]]
+links = [1, 2]
+centres = ["O", "D"]
+teeth = [30, 20]
+[[mesh]]
+links = [2, 3]
+centres = ["D", "G"]
+teeth = [20, 31]
+[drive]
+link = 1
+speed = 10
+positions = 8
+accelerations = [2]
+"""
+STEPPED = TRAIN.replace("[20, 31]", "[45, 31]")
+
+
+@pytest.mark.parametrize(
+    ("text", "count"), [(TRAIN, 1), (TRAIN.replace("[20, 31]", "[20, 20]"), 0), (STEPPED, 0)]
+)
+def test_one_wheel_has_one_pitch_radius(text: str, count: int) -> None:
+    """30:20 on 100 mm leave 40 mm to wheel 2, 20:31 on 80 mm 31.4 mm, 20:20 its 40; 45 are another wheel."""
+    drawn = make(tmm.read(text)).mechanism
+    assert drawn is not None
+    told = list(WARNINGS.warnings(drawn, "en"))
+    assert len(told) == count, told
+    assert all("link 2 about D" in says and "4 ≠ 3.137 mm" in says for says in told)
+
+
+def test_letters_of_several_pitch_points_keep_their_numbers_below() -> None:
+    """Each v of the equations is one letter with one index: v_{K1}, not v_K and a 1 behind it."""
+    drawn = make(tmm.read(TRAIN)).mechanism
+    assert drawn is not None
+    told = "".join(step.note for step in drawn.construction.steps if step.it.view == "velocities")
+    assert "v_{K1} = ω_2·l_{DK1},  v_{K1} ⊥ DK1" in told, told
