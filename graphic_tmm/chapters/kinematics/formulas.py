@@ -48,6 +48,16 @@ def internal_radius(length: Length, other: Number, own: Number) -> Length:
 
 @formula(
     why=said(
+        "In the own axes of the links by which the wheel rolls the lines whose angles are read stand at {arm} "
+        "and {on}."
+    )
+)
+def start_by_axes(start: Angle, ratio: Number, arm: Angle, on: Angle) -> Angle:
+    """{start} − (1 − {ratio})·{arm} − {ratio}·{on}"""
+
+
+@formula(
+    why=said(
         "The centres stand: while the other wheel turns by {turned}, this one turns by {ratio} times that from "
         "{start}."
     )

@@ -40,6 +40,7 @@ from graphic_tmm.chapters.kinematics.formulas import (
     rolled_between,
     rolled_by,
     rolled_round,
+    start_by_axes,
 )
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
@@ -120,7 +121,10 @@ class Wheels:
         centre, other = arm.marks[rolling.pin], arm.marks[rolling.other]
         inside = rolling.reach < 0.0
         name = f"({rolling.pin}{rolling.letter})"
-        line = draft.draw(join, f"({rolling.pin}{rolling.other})", centre, other, why=CENTRES)
+        lines = [leg.line for closing in self.closings for leg in closing.legs]
+        line = next((one for one in lines if draft.uses(one) == (centre, other)), None)
+        if line is None:
+            line = draft.draw(join, f"({rolling.pin}{rolling.other})", centre, other, why=CENTRES)
         if inside:
             line = draft.draw(parallel, name, centre, line, sense=-1, why=OUTWARDS)
         apart = draft.draw(measure, f"{rolling.pin}{rolling.other}", centre, other)
@@ -145,14 +149,18 @@ class Wheels:
 
     def _angle(self, rolling: Rolling, bend: float, sizes: list[Mark]) -> Mark:
         """Calculate the angle of a wheel's link; ``bend``: of the direction in own axes that it is of."""
-        draft, number, ratio = self.draft, rolling.link, rolling.ratio
+        draft, number = self.draft, rolling.link
         arm, on = self._known(rolling.arm), self._known(rolling.on)
-        off = rolling.start + bend
-        off -= (1.0 - ratio) * arm[1] if arm else 0.0
-        off -= ratio * on[1] if on else 0.0
-        start = draft.angle(f"φ_{{{number}0}}", off)
+        start = draft.angle(f"φ_{{{number}0}}", rolling.start + bend)
         op = internal_ratio if rolling.mesh.internal else external_ratio
         share = draft.draw(op, f"u_{{{number}{rolling.on}}}", *sizes)
+        bends = [one[1] if one else 0.0 for one in (arm, on)]
+        if any(bends):
+            axes = [
+                draft.angle(f"β_{k}", one) if one else draft.direction(0.0)
+                for k, one in zip((rolling.arm, rolling.on), bends, strict=True)
+            ]
+            start = draft.draw(start_by_axes, f"φ′_{{{number}0}}", start, share, *axes, unit="°")
         if arm is None and on is not None:
             uses, op = (start, share, on[0]), rolled_by
         elif arm is not None and on is None:

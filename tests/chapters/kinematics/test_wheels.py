@@ -182,6 +182,17 @@ def test_a_wheel_that_is_one_with_a_coupler_turns_by_willis() -> None:
         assert np.allclose(table[4] - table[3], -1.5 * (table[2] - table[3]), rtol=1e-9, atol=1e-7)
 
 
+def test_what_a_wheel_rolls_from_is_calculated_and_its_arm_is_drawn_once() -> None:
+    """Nothing that follows from the teeth is given; the line of centres is the rocker that is there already."""
+    log = make(tmm.read(FOUR_BAR)).mechanism
+    assert log is not None
+    steps = [step for step in log.construction.steps if step.it.view == "positions"]
+    assert [step.it.name for step in steps].count("(DB)") == 1
+    given = {mark.name: value for mark, value in log.given.items() if mark.view == "positions"}
+    assert given["φ_{40}"] == 0.0
+    assert given["β_3"] == 180.0
+
+
 def test_its_angle_goes_on_without_a_leap() -> None:
     """What a wheel has rolled is an integral: E's angle follows ω4 over the whole turn, and comes back."""
     at = np.linspace(0.0, 360.0, 3601)
