@@ -61,6 +61,17 @@ class Rolling(NamedTuple):
         return Pair("K", self.letter, (min(self.link, self.on), max(self.link, self.on)))
 
 
+def size_names(mechanism: Mechanism, mesh: Mesh) -> list[str]:
+    """Return the letters of teeth or pitch radii in the order of links; primes tell steps of one link apart."""
+    letter, names = "z" if mesh.toothed else "r", list[str]()
+    for link, size in zip(mesh.links, mesh.sizes, strict=True):
+        meshes = [one for one in mechanism.meshes if link in one.links]
+        steps = list(dict.fromkeys(one.sizes[one.links.index(link)] for one in meshes))
+        primes = "′" * steps.index(size)
+        names.append(f"{letter}_{{{link}{primes}}}" if primes else f"{letter}_{link}")
+    return names
+
+
 def bearers(bodies: Mapping[int, Link], mesh: Mesh) -> list[int]:
     """Return the links that join both centres of a mesh rigidly."""
     return [

@@ -15,6 +15,7 @@ from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.masses import inertia_letter
 from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism, Sweep
 from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.mechanism.wheels import size_names
 from graphic_tmm.readers.narration import remark
 from graphic_tmm.readers.task_sheet import SIZE, Given, given_figure
 from graphic_tmm.scene.records import Scene
@@ -179,7 +180,8 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         for mesh in scene.mechanism.meshes:
             (first, second), (centre, other) = mesh.links, mesh.centres
             yield _(
-                _INTERNAL if mesh.internal else _EXTERNAL,
+                _MESH,
+                kind=_(_INTERNAL if mesh.internal else _EXTERNAL),
                 first=first,
                 second=second,
                 centre=centre,
@@ -200,14 +202,11 @@ def wanted_accelerations(scene: Scene, language: str) -> str:
     return speaking(language)(_ACCELERATIONS, n=len(wanted), listed=", ".join(wanted))
 
 
-_EXTERNAL = said(
-    "Links {first} and {second} bear wheels in external mesh, about {centre} and {other}; seen from the link "
+_MESH = said(
+    "Links {first} and {second} bear wheels in {kind} mesh, about {centre} and {other}; seen from the link "
     "that joins the centres, link {second} stands at {angle} where link {first} stands at 0°."
 )
-_INTERNAL = said(
-    "Links {first} and {second} bear wheels in internal mesh, about {centre} and {other}; seen from the link "
-    "that joins the centres, link {second} stands at {angle} where link {first} stands at 0°."
-)
+_EXTERNAL, _INTERNAL = said("external", context="mesh"), said("internal", context="mesh")
 _STANDS = said("The mechanism stands; plans of possible velocities are drawn at {rate}.")
 _ZERO = said("Positions are counted from the {extreme}.")
 _ACCELERATIONS = said(
@@ -219,8 +218,8 @@ _ACCELERATIONS = said(
 def _wheels(mechanism: Mechanism) -> Iterator[Given]:
     """The teeth or pitch radii of wheels on links, and how one stands by the other."""
     for mesh in mechanism.meshes:
-        for link, size in zip(mesh.links, mesh.sizes, strict=True):
-            yield Given(f"z_{link}", size) if mesh.toothed else Given(f"r_{link}", size, SIZE)
+        for name, size in zip(size_names(mechanism, mesh), mesh.sizes, strict=True):
+            yield Given(name, size, "" if mesh.toothed else SIZE)
         if mesh.start:
             yield Given(f"φ_{{{mesh.links[1]},0}}", mesh.start, "°")
 

@@ -44,7 +44,7 @@ from graphic_tmm.chapters.kinematics.formulas import (
 )
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
-from graphic_tmm.mechanism.wheels import Rolling
+from graphic_tmm.mechanism.wheels import Rolling, size_names
 
 CENTRES = said(
     "Both centres stand on one rigid link; the pitch circles touch on the line that joins them."
@@ -174,14 +174,9 @@ class Wheels:
     def _sizes(self, rolling: Rolling) -> list[Mark]:
         """Take the teeth, or pitch radii, of the other wheel and of this one."""
         draft, mesh = self.draft, rolling.mesh
-        own = mesh.links.index(rolling.link)
-        letter, unit = ("z", "") if mesh.toothed else ("r", "m")
-        return [
-            draft.constant(f"{letter}_{{{rolling.letter}{mesh.links[k]}}}", mesh.sizes[k], unit)
-            if len(self.mechanism.meshes) > 1
-            else draft.constant(f"{letter}_{mesh.links[k]}", mesh.sizes[k], unit)
-            for k in (1 - own, own)
-        ]
+        names, unit = size_names(self.mechanism, mesh), "" if mesh.toothed else "m"
+        sizes = [draft.constant(*one, unit) for one in zip(names, mesh.sizes, strict=True)]
+        return sizes if mesh.links[1] == rolling.link else sizes[::-1]
 
     def _known(self, number: int) -> tuple[Mark, float] | None:
         """Return the angle of a link, and of which direction in its own axes; None of the frame."""

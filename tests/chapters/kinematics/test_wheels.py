@@ -8,13 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from support import gallery
 from support.compare import errors
 from support.each import each
 from support.wheel_loops import FiveBar, Planet, rates
 from support.wheels import geared, near
 
 import graphic_tmm as tmm
+from graphic_tmm.chapters.forces.given import given as forces
 from graphic_tmm.chapters.kinematics.findings import WARNINGS
+from graphic_tmm.chapters.kinematics.given import given
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.structure import dissect
@@ -295,6 +298,28 @@ def test_one_wheel_has_one_pitch_radius(text: str, count: int) -> None:
     told = list(WARNINGS.warnings(drawn, "en"))
     assert len(told) == count, told
     assert all("link 2 about D" in says and "4 ≠ 3.137 mm" in says for says in told)
+
+
+def test_sizes_of_a_stepped_wheel_have_names_of_their_own() -> None:
+    """The task sheet and the log name them alike: link 2 bears z2 and z2′, others one wheel without a prime."""
+    scene = tmm.read(STEPPED)
+    drawn = make(scene).mechanism
+    assert drawn is not None
+    sizes = {"z_1": 30.0, "z_2": 20.0, "z_{2′}": 45.0, "z_3": 31.0}
+    own = {one.symbol: one.value for one in given(scene) if one.symbol.startswith("z")}
+    log = {
+        mark.name: value
+        for mark, value in drawn.given.items()
+        if mark.name.startswith("z") and mark.view == "positions"
+    }
+    assert own == log == sizes
+
+
+def test_the_angle_at_which_teeth_press_is_given_where_forces_are_asked() -> None:
+    """α_w stands in the table once, in degrees; a task without forces has no use for it."""
+    scene = gallery.scene("geared-five-bar")
+    assert [one for one in forces(scene) if one.symbol == "α_w"] == [("α_w", 20.0, "°")]
+    assert not [one for one in given(scene) if one.symbol == "α_w"]
 
 
 def test_letters_of_several_pitch_points_keep_their_numbers_below() -> None:
