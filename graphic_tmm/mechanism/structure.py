@@ -15,7 +15,7 @@ from graphic_tmm.mechanism.attachment import Attachment
 from graphic_tmm.mechanism.driven import Driven, driven_pairs
 from graphic_tmm.mechanism.groups import Group, Pair, class_two
 from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.wheels import Rolling, rolling
+from graphic_tmm.mechanism.wheels import Rolling, bearers, in_order, meshing, rolling
 
 
 class Structure(NamedTuple):
@@ -46,9 +46,7 @@ class Structure(NamedTuple):
     def attached(self) -> Iterator[Group | Rolling]:
         """Groups and wheels in the order of attachment."""
         groups = tuple(class_two(self.groups, "formula"))
-        for k in range(len(groups) + 1):
-            yield from (one for one in self.wheels if one.after == k)
-            yield from groups[k : k + 1]
+        return in_order(groups, self.wheels, [one.after for one in self.wheels])
 
     @property
     def formula(self) -> str:
@@ -72,6 +70,11 @@ class Count(NamedTuple):
     def mobility(self) -> int:
         """W = 3n − 2p5 − p4."""
         return 3 * self.moving - 2 * len(self.pairs) - self.higher
+
+
+def freedoms(moving: int, lower: int, higher: int) -> str:
+    """Return W as it is added up: 3·4 − 2·5 − 1."""
+    return f"3·{moving} − 2·{lower}" + (f" − {higher}" if higher else "")
 
 
 def count(mechanism: Mechanism) -> Count:
@@ -106,17 +109,7 @@ def dissect(mechanism: Mechanism) -> Structure:
             continue
         group = attachment.next()
         if group is None:
-            left = sorted(attachment.left)
-            names = ", ".join(map(str, left))
-            raise StructureError(
-                said(
-                    "links {names} make a group of class III or higher, or are tied to each other "
-                    "only: this board draws groups of class II (two links, three pairs); check the "
-                    "letters and slides of these links",
-                    names=names,
-                ),
-                *(f"link {number}" for number in left),
-            )
+            raise _left_over(mechanism, sorted(attachment.left))
         groups.append(group)
         known += attachment.attach(group)
     order = {number: place for place, number in enumerate(known)}
@@ -127,6 +120,36 @@ def dissect(mechanism: Mechanism) -> Structure:
         tuple(groups),
         _origin(mechanism, driven[0]),
         tuple(wheels),
+    )
+
+
+def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
+    """Return the refusal of a mechanism whose links are left when no group can come next."""
+    names = ", ".join(map(str, left))
+    keys = [f"link {number}" for number in left]
+    for mesh in mechanism.meshes:
+        arms = [number for number in bearers(mechanism.by_number, mesh) if number in left]
+        if arms and any(number in left for number in mesh.links):
+            return StructureError(
+                said(
+                    "links {names} are left: a wheel is drawn where another one in mesh with it and the link "
+                    "that joins their centres stand already; drive link {arm}, which joins {first} and "
+                    "{second}, or give the train as [planetary]",
+                    names=names,
+                    arm=arms[0],
+                    first=mesh.centres[0],
+                    second=mesh.centres[1],
+                ),
+                *keys,
+            )
+    return StructureError(
+        said(
+            "links {names} make a group of class III or higher, or are tied to each other "
+            "only: this board draws groups of class II (two links, three pairs); check the "
+            "letters and slides of these links",
+            names=names,
+        ),
+        *keys,
     )
 
 
@@ -151,16 +174,14 @@ def _unequal(mechanism: Mechanism, pairs: tuple[Pair, ...], mobility: int) -> St
     many = said("a pair is too many (a link that only doubles others takes passive = true)")
     remedy = said("a pair is missing") if few else many
     number: dict[str, Any] = {
-        "links": len(mechanism.links),
-        "p": f"{len(pairs)} − {higher}" if (higher := len(mechanism.meshes)) else len(pairs),
+        "sum": freedoms(len(mechanism.links), len(pairs), len(mechanism.meshes)),
         "w": f"{mobility}".replace("-", "−"),
-        "listed": ", ".join(_describe(pair) for pair in pairs),
+        "listed": ", ".join(_describe(pair) for pair in (*pairs, *meshing(mechanism))),
     }
     if len(drives) == 1:
         return StructureError(
             said(
-                "W = 3·{links} − 2·{p} = {w}, but one drive is given (link {link}): {remedy} among "
-                "{listed}",
+                "W = {sum} = {w}, but one drive is given (link {link}): {remedy} among {listed}",
                 **number,
                 link=mechanism.drive.link,
                 remedy=remedy,
@@ -168,7 +189,7 @@ def _unequal(mechanism: Mechanism, pairs: tuple[Pair, ...], mobility: int) -> St
         )
     return StructureError(
         said(
-            "W = 3·{links} − 2·{p} = {w}, but {count} drives are given (links {drives}): {remedy} among "
+            "W = {sum} = {w}, but {count} drives are given (links {drives}): {remedy} among "
             "{listed}, or a drive",
             **number,
             count=len(drives),

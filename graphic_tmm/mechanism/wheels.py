@@ -7,12 +7,13 @@ wheels: seen from the link that joins the centres both turn in the inverse ratio
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
-from typing import NamedTuple
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple, TypeVar
 
 from graphic_tmm.mechanism.groups import Pair
 from graphic_tmm.mechanism.records import Link, Mechanism, Mesh
 
+G, W = TypeVar("G"), TypeVar("W")
 PITCH = "K"
 """The letter of a pitch point; with a prime where a point of the scene has it."""
 
@@ -58,7 +59,7 @@ class Rolling(NamedTuple):
     @property
     def pair(self) -> Pair:
         """Its higher pair."""
-        return Pair("K", self.letter, (min(self.link, self.on), max(self.link, self.on)))
+        return _pair(self.letter, self.mesh)
 
 
 def size_names(mechanism: Mechanism, mesh: Mesh) -> list[str]:
@@ -70,6 +71,24 @@ def size_names(mechanism: Mechanism, mesh: Mesh) -> list[str]:
         primes = "′" * steps.index(size)
         names.append(f"{letter}_{{{link}{primes}}}" if primes else f"{letter}_{link}")
     return names
+
+
+def in_order(groups: Sequence[G], wheels: Iterable[W], after: Iterable[int]) -> Iterator[G | W]:
+    """Yield groups and wheels in the order of attachment; ``after``: so many groups stand before each wheel."""
+    places = [*zip(wheels, after, strict=True)]
+    for k in range(len(groups) + 1):
+        yield from (wheel for wheel, place in places if place == k)
+        yield from groups[k : k + 1]
+
+
+def meshing(mechanism: Mechanism) -> list[Pair]:
+    """Return the higher pairs of a mechanism."""
+    return [_pair(_letter(mechanism, k), mesh) for k, mesh in enumerate(mechanism.meshes)]
+
+
+def _pair(letter: str, mesh: Mesh) -> Pair:
+    first, second = sorted(mesh.links)
+    return Pair("K", letter, (first, second))
 
 
 def bearers(bodies: Mapping[int, Link], mesh: Mesh) -> list[int]:

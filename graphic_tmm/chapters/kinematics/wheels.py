@@ -44,7 +44,7 @@ from graphic_tmm.chapters.kinematics.formulas import (
 )
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Mechanism
-from graphic_tmm.mechanism.wheels import Rolling, size_names
+from graphic_tmm.mechanism.wheels import Rolling, in_order, size_names
 
 CENTRES = said(
     "Both centres stand on one rigid link; the pitch circles touch on the line that joins them."
@@ -204,7 +204,5 @@ class Wheels:
 
 def attached(positions: Positions, room: str) -> Iterator[Closing | Meshed]:
     """Yield groups and wheels in the order of attachment."""
-    groups = tuple(dyads(positions.closings, room))
-    for k in range(len(groups) + 1):
-        yield from (one for one in positions.wheels if one.rolling.after == k)
-        yield from groups[k : k + 1]
+    groups, wheels = tuple(dyads(positions.closings, room)), positions.wheels
+    return in_order(groups, wheels, [one.rolling.after for one in wheels])

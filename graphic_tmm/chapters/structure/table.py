@@ -11,7 +11,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import Group, Pair
 from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.structure import Structure
+from graphic_tmm.mechanism.structure import Structure, freedoms
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import Heights
@@ -208,7 +208,7 @@ def _table(
 
 
 PASSIVE = said(
-    "Link {link} is passive: with its pairs {pairs} W would be 3·{n} − 2·{p} = {w}, so they are left out"
+    "Link {link} is passive: with its pairs {pairs} W would be {sum} = {w}, so they are left out"
 )
 """What stands below the table of pairs, and in a note, on a passive link."""
 
@@ -223,19 +223,9 @@ def aside_lines(mechanism: Mechanism, structure: Structure, language: str) -> li
         n, p = structure.moving + 1, len(structure.pairs) + len(hold.pairs)
         pairs = ", ".join(_index(pair, mechanism, words) for pair in hold.pairs)
         w = f"{3 * n - 2 * p - len(structure.wheels)}".replace("-", "−")
-        told = f"{p}{_minus(len(structure.wheels))}"
-        found.append(_(PASSIVE, link=hold.link.number, pairs=pairs, n=n, p=told, w=w))
+        total = freedoms(n, p, len(structure.wheels))
+        found.append(_(PASSIVE, link=hold.link.number, pairs=pairs, sum=total, w=w))
     return found
-
-
-def _minus(higher: int) -> str:
-    """Return what higher pairs take from the mobility, as it stands behind the rest; "" if there is none."""
-    return f" − {higher}" if higher else ""
-
-
-def calculated(n: int, p5: int, p4: int) -> str:
-    """Return the mobility as it is calculated, up to its value."""
-    return f"W = 3·{n} − 2·{p5}{_minus(p4)} = "
 
 
 def _index(pair: Pair, mechanism: Mechanism, words: Mapping[str, str]) -> str:
@@ -254,7 +244,7 @@ def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -
         for one in structure.attached
     ]
     n, p, p4 = structure.moving, len(structure.pairs), len(structure.wheels)
-    w = f"{calculated(n, p, p4)}{structure.mobility}"
+    w = f"W = {freedoms(n, p, p4)} = {structure.mobility}"
     mobility = f"n = {n}, p_5 = {p}, p_4 = {p4}, {w}"
     highest = words["class II" if structure.groups else "class I"]
     beside = aside_lines(mechanism, structure, language)

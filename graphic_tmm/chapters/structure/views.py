@@ -15,7 +15,6 @@ from graphic_tmm.chapters.structure import PARTS, STRUCTURE
 from graphic_tmm.chapters.structure.record import MOBILITY, parts
 from graphic_tmm.chapters.structure.table import (
     WORDS,
-    calculated,
     link_table,
     pair_table,
     structure_lines,
@@ -25,7 +24,7 @@ from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import number
 from graphic_tmm.mechanism.groups import class_two
-from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.mechanism.structure import dissect, freedoms
 from graphic_tmm.paper.drawing import Drawing, Ink, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.formats import heights
@@ -111,7 +110,7 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         on = subject(drawn, told, PARTS, name=f"part-{name}")
         view = draw_part(on, reaches(drawn), links, groups.get(name, ()), drawn.main)
         w = drawn.reading[made.parts[name]].item()
-        line = f"{calculated(n, p5, p4)}{number(w, drawn.scene.language)}"
+        line = f"W = {freedoms(n, p5, p4)} = {number(w, drawn.scene.language)}"
         found.append(with_caption(view, on, lettered, line))
     return found
 

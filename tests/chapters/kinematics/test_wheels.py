@@ -214,6 +214,58 @@ def test_a_ratio_that_is_no_whole_number_leaves_the_row_open(tmp_path: Path) -> 
         assert survey(mechanism, dissect(mechanism)).rolls_on == rolls_on
 
 
+EPICYCLIC = """
+title = "T"
+language = "en"
+[frame]
+number = 9
+O = [0, 0]
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.06, 0] }
+[[link]]
+number = 2
+points = { O = [0, 0], S = [0.02, 0] }
+[[link]]
+number = 3
+points = { A = [0, 0], B = [0.03, 0] }
+[[mesh]]
+links = [2, 3]
+centres = ["O", "A"]
+teeth = [40, 20]
+[[mesh]]
+links = [9, 3]
+centres = ["O", "A"]
+teeth = [80, 20]
+internal = true
+[drive]
+link = 2
+speed = 10
+"""
+
+
+def test_a_train_driven_by_its_sun_is_told_to_drive_the_arm() -> None:
+    """Where the arm follows, no wheel can stand before it: what to drive is named, and that is drawn."""
+    mechanism = tmm.read(EPICYCLIC).mechanism
+    assert mechanism is not None
+    with pytest.raises(StructureError, match=r"drive link 1, which joins O and A, .*\[planetary\]"):
+        dissect(mechanism)
+    led = tmm.read(EPICYCLIC.replace("link = 2\nspeed", "link = 1\nspeed")).mechanism
+    assert led is not None
+    assert dissect(led).mobility == 1
+
+
+def test_a_mesh_too_many_is_listed_among_the_pairs() -> None:
+    """What may be left out is a mesh, too: K(2,4), as it is in the table of pairs."""
+    text = (
+        EPICYCLIC + EPICYCLIC[EPICYCLIC.index("[[mesh]]") : EPICYCLIC.index("[[mesh]]\nlinks = [9")]
+    )
+    mechanism = tmm.read(text).mechanism
+    assert mechanism is not None
+    with pytest.raises(StructureError, match=r"A\(1,3\), K1\(2,3\), K2\(3,9\), K3\(2,3\)"):
+        dissect(mechanism)
+
+
 def test_a_wheel_between_links_that_stand_already_is_a_group_above_class_two() -> None:
     """Two links in mesh that are both held by more: told by name, with its mobility."""
     text = FOUR_BAR.replace(
