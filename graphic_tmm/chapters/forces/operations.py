@@ -6,7 +6,7 @@ from graphic_tmm.board.formula import formula
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.language.said import said
 
-_NO_RADIUS = "the pitch radius is zero"
+_NO_RADIUS = "the pitch radius is too short to be measured at this scale"
 _NO_WAY = (
     "the point of the unknown force does not move along it: no force there balances the others"
 )

@@ -269,7 +269,7 @@ def link_numbers(
     spots = shapely.MultiPoint([(one.at.real, one.at.imag) for one in letters])
     made = []
     for name in names or (*ink.names, ink.frame.name):
-        tried = [*_tried(ink, name, main)]
+        tried = [*_tried(ink, name, main)] or [*_about_wheels(ink, name, main)]
         if not tried:
             continue
         costs = _costs(tried, heavy, light, spots, ROUND * size)
@@ -304,6 +304,15 @@ def _tried(ink: LinksInk, name: str, main: int) -> Iterator[Tried]:
                 yield from _along(a, b)
     for slid in (one for one in ink.of(name, *SLIDING) if one.kind in BOX):
         yield from _about(ink.foot(slid, main), ink.along(slid, main), BOX[slid.kind])
+
+
+def _about_wheels(ink: LinksInk, name: str, main: int) -> Iterator[Tried]:
+    """All about the pitch circles of a link."""
+    for wheel in ink.of(name, "wheel"):
+        centre, pitch = (ink.at(mark, main) for mark in wheel.marks)
+        for turn in range(0, 360, 15):
+            out = cmath.rect(1.0, math.radians(turn))
+            yield from ((centre + out * abs(pitch - centre), out * away, 0.0) for away in AWAY)
 
 
 def _along(a: complex, b: complex) -> Iterator[Tried]:

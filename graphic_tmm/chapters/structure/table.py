@@ -32,6 +32,7 @@ LINK_NAMES = Tongues(
         "stone": said("sliding block"),
         "frame": said("frame"),
         "link": said("link"),
+        "wheel": said("wheel", context="link"),
     }
 )
 """What a link is called by its role."""
@@ -57,6 +58,8 @@ def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
     if slides_on:
         return "slider" if frame in slides_on else "stone"
     owns = any(pair.kind == "P" and pair.links[1] == link.number for pair in pairs)
+    if not owns and link.number in {wheel.link for wheel in structure.wheels}:
+        return "wheel"
     turns_on_frame = any(pair.kind == "R" and frame in pair.links for pair in pairs)
     if owns:
         return "slotted rocker" if turns_on_frame else "link"

@@ -11,6 +11,8 @@ from support.wheels import geared, near
 
 import graphic_tmm as tmm
 from graphic_tmm.errors import TmmError
+from graphic_tmm.readers.findings import all_warnings
+from graphic_tmm.studio import make
 
 RATIO = 1e-9
 
@@ -55,6 +57,14 @@ positions = [2]
 balance = "moment"
 """
 )
+
+
+def test_a_pitch_radius_too_short_to_read_is_no_radius_of_zero() -> None:
+    """Three teeth to 10000 on 120 mm leave 0.04 mm: what is read is 0 at this scale, whatever the radius is."""
+    text = LOADED.replace("[40, 20]", "[10000, 3]")
+    made = make(tmm.read(text))
+    told = " ".join(all_warnings(made, "en"))
+    assert "R_14^t': the pitch radius is too short to be measured at this scale" in told, told
 
 
 @pytest.mark.parametrize("alpha", [15.0, 20.0, 25.0])

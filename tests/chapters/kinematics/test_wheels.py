@@ -18,7 +18,11 @@ import graphic_tmm as tmm
 from graphic_tmm.chapters.forces.given import given as forces
 from graphic_tmm.chapters.kinematics.findings import WARNINGS
 from graphic_tmm.chapters.kinematics.given import given
+from graphic_tmm.chapters.kinematics.ink_links import LinksInk
+from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
+from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.survey import survey
+from graphic_tmm.chapters.structure.table import link_name
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.studio import make
@@ -350,6 +354,24 @@ def test_one_wheel_has_one_pitch_radius(text: str, count: int) -> None:
     told = list(WARNINGS.warnings(drawn, "en"))
     assert len(told) == count, told
     assert all("link 2 about D" in says and "4 ≠ 3.137 mm" in says for says in told)
+
+
+@pytest.mark.parametrize(("language", "wheel"), [("en", "wheel"), ("ru", "колесо")])
+def test_a_wheel_is_called_so_and_bears_its_number(language: str, wheel: str) -> None:
+    """Wheels that turn right round are no rockers; one without a line has its number at its pitch circle."""
+    drawn = make(tmm.read(TRAIN)).mechanism
+    assert drawn is not None
+    mechanism = drawn.scene.mechanism
+    assert mechanism is not None
+    structure = dissect(mechanism)
+    links = mechanism.by_number
+    called = {k: link_name(mechanism, structure, links[k], language) for k in range(1, 6)}
+    assert [k for k, name in called.items() if name == wheel] == [2, 3], called
+    ink = LinksInk(drawn.construction, drawn.reading, reaches(drawn))
+    (number,) = (one for one in link_numbers(ink, drawn.main, [], [], 3.5, ["2"]))
+    centre, pitch = (ink.at(mark, drawn.main) for mark in next(ink.of("2", "wheel")).marks)
+    (x, y, _), *_ = number.strokes[2].path
+    assert math.isclose(abs(complex(x, y) - centre), abs(pitch - centre), rel_tol=1e-9)
 
 
 def test_sizes_of_a_stepped_wheel_have_names_of_their_own() -> None:
