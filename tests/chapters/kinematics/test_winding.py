@@ -35,11 +35,11 @@ def _case(source: random.Random, teeth: tuple[tuple[int, int], ...]) -> FiveBar:
     return FiveBar(a, b, b, d, f, z, internal, phase, side)
 
 
-def _off(found: Motion) -> np.ndarray:
+def _off(found: Motion, step: float = STEP) -> np.ndarray:
     """How far each step of CE is off the integral of ω, degrees; NaN where it does not close."""
     places = found.places
     steps = np.diff(np.angle(places["E", 6] - places["C", 6]))
-    rolled = (found.omega[6][1:] + found.omega[6][:-1]) / 2.0 * np.radians(STEP) / 10.0
+    rolled = (found.omega[6][1:] + found.omega[6][:-1]) / 2.0 * np.radians(step) / 10.0
     off = np.degrees(np.abs(np.angle(np.exp(1j * (steps - rolled)))))
     near = np.abs(places["A", 1] - places["C", 4]) < MIDDLES
     return np.where(near[1:] | near[:-1], np.nan, off)
@@ -56,7 +56,7 @@ def _follow(seed: int, count: int) -> None:
             refused += 1
             continue
         assert not np.any(off > 30.0), (case, at[1:][off > 30.0])
-    assert refused <= count // 6, refused
+    assert refused <= count // 25, refused
 
 
 def test_a_wheel_on_a_coupler_rolls_on_as_its_speed_says() -> None:
@@ -66,6 +66,14 @@ def test_a_wheel_on_a_coupler_rolls_on_as_its_speed_says() -> None:
 @pytest.mark.slow
 def test_many_wheels_on_couplers_roll_on_as_their_speed_says() -> None:
     _follow(5, 400)
+
+
+def test_a_row_clockwise_is_counted_as_it_is_drawn() -> None:
+    """One whose couplers are carried round in turns other than the first: that turn is drawn, both ways."""
+    source = random.Random(3)
+    case = [_case(source, TEETH) for _ in range(126)][-1]
+    found = tmm.motion(case.scene + BEHIND, np.arange(0.0, -360.1, -STEP), exact=True)
+    assert np.nanmax(_off(found, -STEP)) < 1.0
 
 
 def test_what_cannot_be_followed_over_all_turns_stands_in_those_that_were_tried() -> None:
