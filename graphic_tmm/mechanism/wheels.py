@@ -13,7 +13,8 @@ from typing import NamedTuple, TypeVar
 from graphic_tmm.mechanism.groups import Pair
 from graphic_tmm.mechanism.records import Link, Mechanism, Mesh
 
-G, W = TypeVar("G"), TypeVar("W")
+G = TypeVar("G")
+W = TypeVar("W")
 PITCH = "K"
 """The letter of a pitch point; with a prime where a point of the scene has it."""
 

@@ -67,7 +67,7 @@ def _tried(wheels: Wheels, number: int, tried: int, *, back: bool) -> tuple[Wind
     reading = execute(draft.board.construction(), given, [axis, *wheels.counted])
     values = [reading[axis].along, *(reading[mark] for mark in wheels.counted)]
     along, *lines = (np.broadcast_to(one, (1, way.size))[0] for one in values)
-    runs = _runs(np.isfinite([along, *lines]).all(axis=0), closed=sweep.closed)
+    runs = _runs(np.asarray(np.isfinite([along, *lines]).all(axis=0)), closed=sweep.closed)
     if not runs:
         return Winding(0, 0.0), 0.0
     angles = [np.degrees(np.unwrap(np.angle(along[run]))) for run in runs]
