@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import count
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
@@ -22,7 +23,7 @@ from graphic_tmm.chapters.trains.pictures import Disc, EndView
 from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme
 
 CONTACTS = "EFGKQRSTUV"
-"""Letters of the points in which these wheels touch, row by row."""
+"""Letters of the points in which these wheels touch, row by row; then they begin anew with a prime."""
 
 
 class Row(NamedTuple):
@@ -77,13 +78,14 @@ def draw_pairs(
     draft: Draft, order: PlanetaryTask, scheme: Scheme, sizes: Dimensions, end: EndView
 ) -> Pairs:
     """Draw the wheels before and behind the train; calculate the ratio of all."""
-    motion, letters = motion_of(order), iter(CONTACTS)
+    motion = motion_of(order)
+    letters = (letter + primes * "′" for primes in count() for letter in CONTACTS)
     sides = {side: rows_of(order, scheme, side) for side in ("behind", "before")}
     teeth, outside, ratio = dict[str, Mark](), list[Outside](), sizes.ratio
     for rows in sides.values():
         for row in rows:
-            for name, count in zip(row.names, row.teeth, strict=True):
-                teeth[name] = draft.take(Number, f"z_{index(name)}", float(count))
+            for name, z in zip(row.names, row.teeth, strict=True):
+                teeth[name] = draft.take(Number, f"z_{index(name)}", float(z))
     ends = [
         (row.names[0], row.names[-1]) if side == "behind" else (row.names[-1], row.names[0])
         for side, rows in sides.items()

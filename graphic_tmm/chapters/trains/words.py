@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.trains.task import PLANETARY_TRAIN
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -23,7 +24,6 @@ CAPTIONS: dict[str, str] = {
     "planetary_omega_difference": "Δ_{ω}",
     "planetary_omega": said("ω by Willis"),
     "planetary_omega_drawn": said("ω as drawn"),
-    **{f"planetary_n_{body}": f"n_{body}" for body in (*map(str, range(1, 30)), "H")},
     **{f"planetary_M_{member}": f"M_{member}" for member in "1345H"},
     "planetary_efficiency": "η",
     "planetary-torques": said("Torques on the shafts"),
@@ -41,8 +41,15 @@ SYMBOLS = (
 """Its letters in a note: what they stand for, their units."""
 
 
+def _turns(name: str, speech: Speech) -> str:
+    """Return what the turns a minute of a body are called, of however many wheels."""
+    body = name.removeprefix("planetary_n_")
+    return "" if body == name else f"n_{{{body}}}"
+
+
 WORDS = Named(
     captions=CAPTIONS,
+    result=_turns,
     plans=(PLANETARY_TRAIN,),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,

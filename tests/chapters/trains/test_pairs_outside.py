@@ -16,12 +16,13 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.chapters.trains.motion import motion_of
 from graphic_tmm.chapters.trains.pairs import rows_of
-from graphic_tmm.chapters.trains.plan import draw_planetary
+from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN, draw_planetary
 from graphic_tmm.chapters.trains.record import BESIDE
 from graphic_tmm.chapters.trains.task import ASKED, SCHEMES, PlanetaryTask
 from graphic_tmm.chapters.trains.task_sheet import scheme
 from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.packing import bounds
+from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.read import read
 
 HEAD = 'title = "T"\nlanguage = "en"\n'
@@ -110,6 +111,20 @@ def test_the_last_wheel_turns_as_the_teeth_say(tmp_path: Path) -> None:
     assert motion_of(order).driving["1"] == pytest.approx(-1440 / 3 * math.pi / 30)
     names = [row.names for row in rows_of(order, SCHEMES["ring"], "before")]
     assert names == [("10", "9")], "from the train outward"
+
+
+@pytest.mark.parametrize("rows", [10, 11, 23])
+def test_however_many_rows_are_drawn_and_called(rows: int, tmp_path: Path) -> None:
+    """Each has its own point of contact; the last wheel turns (15/25)ⁿ times as fast as the carrier."""
+    text = f'{TRAIN}behind = {[[15, 25]] * rows}\n[[sheet]]\nplace = ["planetary"]\n'
+    drawn = usual_part("planetary", read(calling(tmp_path, text, sheet="", head=HEAD)))
+    (outside,) = PLANETARY_PLAN.on(drawn).pairs.outside
+    contacts = {next(iter(discs.values())).near.name for discs in outside.discs}
+    assert len(contacts) == rows
+    speed = BESIDE.on(drawn).speed
+    assert speed is not None
+    assert drawn.reading[speed].item() == pytest.approx(360.0 * 0.6**rows, rel=1e-9)
+    assert captions("en")[f"planetary_n_{3 + 2 * rows}"] == f"n_{{{3 + 2 * rows}}}"
 
 
 @pytest.mark.parametrize(
