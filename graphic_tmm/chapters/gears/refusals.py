@@ -36,6 +36,7 @@ def refuse_order(order: GearTask) -> None:
         ("x_sum", order.x_sum),
         ("beta", order.beta),
         ("width", order.width),
+        ("speed", order.speed),
         ("delta_y", order.delta_y),
         ("m", order.m),
         ("mu_l", order.mu),

@@ -119,7 +119,9 @@ class GearTask:
     x_sum: float | None = key(_SUM, "or x1 + x2, of a ring x2 − x1", 0.5, None, symbol="x_Σ")
     beta: float | None = key(_HELIX, "helix angle", "30 deg", None, symbol="β")
     width: float | None = key(v.POSITIVE_LENGTH, "width of the rims", "40 mm", None, symbol="b")
-    speed: float | None = key(v.SPEED, "speed of wheel 1", "100 rpm", None, symbol="ω_1")
+    speed: float | None = key(
+        v.quantity("angular speed", POSITIVE), "speed of wheel 1", "100 rpm", None, symbol="ω_1"
+    )
 
     @property
     def addenda(self) -> tuple[float, float]:

@@ -187,7 +187,7 @@ def _rows(value: object, names: Names) -> tuple[tuple[int, ...], ...]:
 
 def _speeds(value: object, names: Names) -> float | tuple[float, ...]:
     if not isinstance(value, list):
-        return v.SPEED.read(value, names)  # type: ignore[no-any-return]
+        return _SIGNED.read(value, names)  # type: ignore[no-any-return]
     if len(value) != 2:
         says = said('two shafts of a differential drive: write ["100 rpm", "-20 rpm"]')
         raise ValueError(stands(value, says))
@@ -219,7 +219,7 @@ def _satellites(value: object, names: Names) -> tuple[int, ...]:
 _COUNT = v.number(TEETH)
 _SIGNED = v.quantity("angular speed")
 _MEMBER = v.choice("1", "3", "4", "5", "H")
-_SPEEDS = Kind(_speeds, either(v.SPEED), unit="angular speed")
+_SPEEDS = Kind(_speeds, either(_SIGNED), unit="angular speed")
 _DRIVERS = Kind(_drivers, either(_MEMBER))
 _ASKED = Kind(
     _teeth,

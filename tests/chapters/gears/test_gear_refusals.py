@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 from support.each import each
+from support.scenes import calling
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.chapters.gears.plan import draw_gear
 from graphic_tmm.chapters.gears.task import GearTask
-from graphic_tmm.errors import StructureError
+from graphic_tmm.errors import SceneError, StructureError
+from graphic_tmm.scene.read import read
 
 GOOD = GearTask(15, 25, 0.008, 0.83, 0.445)
 NAN = float("nan")
@@ -27,6 +30,7 @@ NAN = float("nan")
         ({"ha": (1.0, 2.5)}, r"comes to a point above the depth ha \+ c = 2.75"),
         ({"beta": 60.0}, "beta = 60: a number not less than 0 and less than 60"),
         ({"width": -0.1}, "width = -0.1: a number greater than 0"),
+        ({"speed": -10.0}, "speed = -10: a number greater than 0"),
         ({"x_sum": 11.0}, "x_sum = 11: a number -10 to 10"),
         ({"distance": 0.17}, "x1 and x2 are both given, too: leave one out"),
         ({"x2": None, "distance": 0.1}, "at 100 mm the base circles .* greater than 150.35 mm"),
@@ -65,3 +69,11 @@ def test_what_cannot_be_a_gear_is_refused_with_a_remedy(changes: dict, says: str
 
 def test_a_good_order_is_drawn() -> None:
     assert draw_gear(Draft(), GOOD).order == GOOD
+
+
+def test_the_speed_of_a_pair_has_no_sense_that_a_key_could_tell(tmp_path: Path) -> None:
+    """Wheel 1 turns as it does: no key turns it about, so none is named."""
+    section = '[gears]\nz1 = 15\nz2 = 25\nm = "8 mm"\nspeed = "-100 rpm"\n'
+    with pytest.raises(SceneError, match='"-100 rpm" is not greater than 0') as raised:
+        read(calling(tmp_path, section, sheet="", head='title = "T"\nlanguage = "en"\n'))
+    assert "turns" not in str(raised.value)

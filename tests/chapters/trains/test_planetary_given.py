@@ -5,9 +5,12 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from support.boards import usual_part
 from support.gallery import scene
 from support.scenes import calling
 
+from graphic_tmm.chapters.trains.record import BESIDE
+from graphic_tmm.errors import SceneError
 from graphic_tmm.readers.task_sheet import Given, given_rows, given_table
 from graphic_tmm.scene.read import read
 
@@ -39,3 +42,25 @@ def test_a_carrier_that_drives_and_two_modules(tmp_path: Path) -> None:
         Given("m_{3-4}", 5.0, "mm"),
         Given("k", "3, 4"),
     )
+
+
+@pytest.mark.parametrize(("speed", "last"), [("-1440 rpm", -216.0), ("1440 rpm", 216.0)])
+def test_a_shaft_may_turn_the_other_way(speed: str, last: float, tmp_path: Path) -> None:
+    """1440/4 to the carrier, and its pair of 15 and 25 turns it about."""
+    section = (
+        f'[planetary]\nscheme = "ring"\nmodule = "4 mm"\nspeed = "{speed}"\n'
+        'teeth = [24, 24, 72]\nbehind = [15, 25]\n[[sheet]]\nplace = ["planetary"]\n'
+    )
+    scene = read(calling(tmp_path, section, sheet="", head='title = "T"\n'))
+    assert given_rows(scene, "planetary")[0] == Given("n_1", pytest.approx(last / 0.15, rel=1e-9), "rpm")
+    drawn = usual_part("planetary", scene)
+    turns = BESIDE.on(drawn).turns
+    assert drawn.reading[turns["5"]].item() == pytest.approx(-last, rel=1e-9)
+
+
+def test_a_shaft_that_stands_does_not_drive(tmp_path: Path) -> None:
+    section = (
+        '[planetary]\nscheme = "ring"\nmodule = "4 mm"\nspeed = 0\nteeth = [24, 24, 72]\n'
+    )
+    with pytest.raises(SceneError, match="the driving shaft turns at 0.0"):
+        read(calling(tmp_path, section, sheet="", head='title = "T"\nlanguage = "en"\n'))
