@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import shapely
+from shapely.geometry.base import BaseGeometry
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.trains.formulas import next_satellite
@@ -36,7 +37,7 @@ from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.mark_rules import leaving
 from graphic_tmm.paper.rules import rule_of
 from graphic_tmm.paper.seen import Rule, Seen, Subject
-from graphic_tmm.paper.shapes import box
+from graphic_tmm.paper.shapes import box, shapes
 from graphic_tmm.paper.symbols.kinematic import (
     CENTRE_BEYOND,
     HATCH_DEPTH,
@@ -161,6 +162,10 @@ COLUMN = 24.0
 """Lines below the plan of rates wider than it are broken, but not into shorter ones; of their height."""
 BELOW = (5.0, 7.5, 9.0)
 """From the views, the axis and the pole down to their captions, mm."""
+CLEAR = 2.0
+"""From what stands left of the caption of a picture to it, mm."""
+HEAVY = ("main", "medium", "rod", "joint")
+"""The pens of lines that no caption may stand on."""
 
 
 class Captions(NamedTuple):
@@ -180,7 +185,7 @@ def draw_planetary_ink(on: Subject, made: Planetary, captions: Captions) -> Draw
     traces = figure(ink.seen, showing(circle_rules(ink) | picture_rules(ink) | rate_rules(ink)))
     strokes = (*traces.staying, *draw_circle_bodies(ink), *_scheme(ink), *draw_pole(ink))
     wanted = [*_numbers(ink), *circle_letters(ink), *picture_letters(ink), *rate_letters(ink)]
-    labels = _with_steps(ink, _captions(ink, captions))
+    labels = _with_steps(ink, _captions(ink, captions, strokes))
     positions = ((k, str(k + 1)) for k in ink.seen.positions)
     return traces.drawing(on, strokes, wanted, labels, positions)
 
@@ -215,11 +220,11 @@ def _with_steps(ink: TrainInk, captions: Sequence[Sequence[Label]]) -> Iterator[
             yield one._replace(of=(steps[0 if k < 2 else -1],) if steps else ())
 
 
-def _captions(ink: TrainInk, captions: Captions) -> list[list[Label]]:
+def _captions(ink: TrainInk, captions: Captions, strokes: Sequence[Ink]) -> list[list[Label]]:
     """The captions: below the two views, between picture and plan, below the plan.
 
-    One that would stand on another, or on a wheel outside the train, goes below it; that of the picture keeps
-    clear of the scheme.
+    One that would stand on another, on a line or on a wheel outside the train goes below it; that of the
+    picture to the right of it, clear of the scheme.
     """
     picture = [z.real for z in (*ink.zeros.values(), *ink.tips.values())]
     rates = [z.real for z in (ink.foot, *ink.ends.values())]
@@ -231,12 +236,12 @@ def _captions(ink: TrainInk, captions: Captions) -> list[list[Label]]:
         ]
     )
     heights = (low, ink.centre.imag, ink.pole.imag)
-    half = (min(picture) + max(picture)) / 2 - ink.scheme.right - 2.0
-    widths = (math.inf, 2 * half, max(max(rates) - min(rates), COLUMN * ink.heights.point))
+    wide = max(max(rates) - min(rates), COLUMN * ink.heights.point)
     labels: list[list[Label]] = []
     taken = [shapely.box(*sides) for sides in occupied(ink.scheme.outside)]
+    taken += [*shapes([one for one in strokes if one.pen in HEAVY])]
     for lines, xs, y, down, most in zip(
-        captions, (views, picture, rates), heights, BELOW, widths, strict=True
+        captions, (views, picture, rates), heights, BELOW, (math.inf, math.inf, wide), strict=True
     ):
         sizes = (ink.heights.title, *[ink.heights.point] * len(lines))
         told = [
@@ -244,14 +249,27 @@ def _captions(ink: TrainInk, captions: Captions) -> list[list[Label]]:
             for text, size in zip(lines, sizes, strict=False)
             for part in _broken(text, size, most)
         ]
-        middle = (min(xs) + max(xs)) / 2
-        block = _block(told, middle, y - down)
-        if any(shapely.intersects(box(one), other) for one in block for other in taken):
-            lowest = min(other.bounds[1] for other in taken)
-            block = _block(told, middle, min(y - down, lowest - PITCH * ink.heights.point))
+        block = _clear(told, complex((min(xs) + max(xs)) / 2, y - down), taken, xs is picture)
         labels.append(block)
         taken += [box(one) for one in block]
     return labels
+
+
+def _clear(
+    lines: Sequence[tuple[str, float]], at: complex, taken: Sequence[BaseGeometry], aside: bool
+) -> list[Label]:
+    """Lines of a caption from the middle of its top, right of what they cross (``aside``) or below it."""
+    while True:
+        block = _block(lines, at.real, at.imag)
+        room = shapely.union_all([box(one) for one in block])
+        crossed = [one.bounds for one in taken if one.intersects(room)]
+        if not crossed:
+            return block
+        if aside:
+            at += max(right for _, _, right, _ in crossed) + CLEAR - room.bounds[0]
+        else:
+            low = min(low for _, low, _, _ in crossed) - PITCH * min(size for _, size in lines)
+            at = complex(at.real, low)
 
 
 def _broken(text: str, size: float, most: float) -> list[str]:
