@@ -231,15 +231,6 @@ def rate_back(omega: Number, driving: Number, driven: Number) -> Number:
 
 
 @formula(
-    holds="{driven} ≠ 0",
-    fails=_NO_TEETH,
-    why=said("An idler between two wheels keeps their sense alike; its teeth do not count."),
-)
-def rate_onward(omega: Number, driving: Number, driven: Number) -> Number:
-    """{omega}·{driving}/{driven}"""
-
-
-@formula(
     why=said(
         "Willis: with the ring held the ratio is 1 + z3/z1, and that gives the teeth of the ring."
     )

@@ -75,8 +75,8 @@ def motion_of(order: PlanetaryTask) -> Motion:
                 other=other,
             ),
         )
-    if order.before:
-        speeds = tuple(speed * order.before_ratio for speed in speeds)
+    for row in order.before:
+        speeds = tuple(speed * (-1.0) ** (len(row) - 1) * row[0] / row[-1] for speed in speeds)
     driven = next((name for name in others if name != fixed), scheme.rims[0])
     return Motion(dict(zip(driving, speeds, strict=True)), fixed, driven, scheme.meshes[-1].wheel)
 

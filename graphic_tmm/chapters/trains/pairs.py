@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import count
+from itertools import count, pairwise
+from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
@@ -50,14 +51,13 @@ class Outside:
 class Pairs:
     """All wheels outside the train: their ``ratio`` with it, without sign, None where none are.
 
-    ``teeth``: by the wheel. ``speeds``: where there are wheels before the train, the angular velocity given of
-    the first, then those of the shafts that follow, at the end that of the train's own shaft.
+    ``teeth``: by the wheel. ``before``: the angular velocities of the wheels before it, from that given on.
     """
 
     outside: tuple[Outside, ...]
     ratio: Mark | None
     teeth: Mapping[str, Mark]
-    speeds: tuple[Mark, ...]
+    before: Mapping[str, Mark]
 
 
 def rows_of(order: PlanetaryTask, scheme: Scheme, side: str) -> tuple[Row, ...]:
@@ -98,17 +98,37 @@ def draw_pairs(
     for side, member in (("behind", motion.driven), ("before", motion.first)):
         if sides[side]:
             outside.append(_draw_rows(draft, sides[side], member, teeth, sizes, end, letters))
-    speeds = list[Mark]()
-    for row in reversed(sides["before"]):
-        first, last = row.names[-1], row.names[0]
-        if not speeds:
-            assert isinstance(order.speed, float | int)
-            speeds.append(draft.take(Number, f"ω_{index(first)}", float(order.speed), "1/s"))
-        op = f.rate_onward if len(row.names) % 2 else f.rate_back
-        letter = f"ω_{index(motion.first if row is sides['before'][0] else last)}"
-        own = (speeds[-1], teeth[first], teeth[last])
-        speeds.append(draft.draw(op, letter, *own, unit="1/s"))
-    return Pairs(tuple(outside), ratio if ends else None, teeth, tuple(speeds))
+    before = dict[str, Mark]()
+    if onward := [Row(row.names[::-1], row.teeth[::-1]) for row in reversed(sides["before"])]:
+        assert isinstance(order.speed, float | int)
+        first = f"ω_{index(onward[0].names[0])}"
+        given = draft.take(Number, first, float(order.speed), "1/s")
+        called = {onward[-1].names[-1]: motion.first}
+        before = draw_rolling(draft, onward, given, teeth, called)
+    return Pairs(tuple(outside), ratio if ends else None, teeth, before)
+
+
+def draw_rolling(
+    draft: Draft,
+    rows: Sequence[Row],
+    turns: Mark,
+    teeth: Mapping[str, Mark],
+    called: Mapping[str, str] = MappingProxyType({}),
+) -> dict[str, Mark]:
+    """Calculate how wheels turn from the first on, rows in the order in which power goes through them.
+
+    ``called``: the member on whose shaft a wheel is.
+    """
+    found = dict[str, Mark]()
+    for row in rows:
+        found[row.names[0]] = turns
+        for one, other in pairwise(row.names):
+            letter = f"{turns.name[0]}_{index(called.get(other, other))}"
+            turns = draft.draw(
+                f.rate_back, letter, turns, teeth[one], teeth[other], unit=turns.unit
+            )
+            found[other] = turns
+    return found
 
 
 def index(name: str) -> str:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from itertools import pairwise
+from collections.abc import Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.trains import formulas as t
-from graphic_tmm.chapters.trains.pairs import index, rows_of
+from graphic_tmm.chapters.trains.pairs import draw_rolling, index, rows_of
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN, Planetary, record
 from graphic_tmm.chapters.trains.task import PLANETARY_TRAIN
 from graphic_tmm.chapters.trains.torques import draw_torques
@@ -52,27 +51,14 @@ def record_beside(bench: Bench) -> Aside:
     ring, satellite = _teeth_for_ratio(bench, made)
     stopped, most = _stopped(bench, made), _most(bench, made)
     turns = {
-        body: bench.draft.draw(t.turns_a_minute, f"n_{body}", omega, unit="rpm")
-        for body, omega in made.rates.values.items()
+        body: bench.draft.draw(t.turns_a_minute, f"n_{index(body)}", omega, unit="rpm")
+        for body, omega in {**made.rates.values, **made.pairs.before}.items()
     }
-    turns |= _turns_outside(bench, made, turns)
+    if behind := rows_of(made.order, made.train.scheme, "behind"):
+        driven = turns[made.motion.driven]
+        turns |= draw_rolling(bench.draft, behind, driven, made.pairs.teeth)
     lost, torques, share = draw_torques(bench.draft, made)
     return Aside(stopped, ring, satellite, most, turns, lost, torques, share, _speed(bench, made))
-
-
-def _turns_outside(
-    bench: Bench, made: Planetary, turns: Mapping[str, Mark]
-) -> Iterator[tuple[str, Mark]]:
-    """Yield the turns a minute of wheels before and behind the train, from its shafts outward."""
-    for view in made.pairs.outside:
-        own = turns[view.member]
-        side = "behind" if view.member == made.motion.driven else "before"
-        for row in rows_of(made.order, made.train.scheme, side):
-            yield row.names[0], own
-            for one, other in pairwise(row.names):
-                z, letter = made.pairs.teeth, f"n_{index(other)}"
-                own = bench.draft.draw(t.rate_back, letter, own, z[one], z[other], unit="rpm")
-                yield other, own
 
 
 def _teeth_for_ratio(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark | None]:
@@ -123,7 +109,7 @@ def _speed(bench: Bench, made: Planetary) -> Mark | None:
     behind = rows_of(made.order, made.train.scheme, "behind")
     first = before[-1].names[-1] if before else motion.first
     last = behind[-1].names[-1] if behind else f"{motion.driven}′"
-    omega = pairs.speeds[0] if pairs.speeds else made.picture.omegas[motion.first]
+    omega = pairs.before[first] if before else made.picture.omegas[motion.first]
     driving = bench.draft.draw(t.turns_a_minute, f"n_{index(first)}", omega, unit="rpm")
     return bench.draft.draw(t.speed_behind, f"n_{index(last)}", driving, pairs.ratio, unit="rpm")
 

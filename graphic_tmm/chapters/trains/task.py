@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
@@ -329,11 +328,6 @@ class PlanetaryTask:
     before: tuple[tuple[int, ...], ...] = key(
         _ROWS, "teeth of the pair of gears before the train, or of several pairs", [20, 60], ()
     )
-
-    @property
-    def before_ratio(self) -> float:
-        """Angular velocity of the train's driving shaft over that of the first wheel before it."""
-        return math.prod((-1.0) ** (len(row) - 1) * row[0] / row[-1] for row in self.before)
 
 
 ASKED: SectionKey[PlanetaryTask] = SectionKey("planetary")

@@ -53,11 +53,12 @@ def given(scene: Scene) -> Iterator[Given]:
 
 def _speeds(order: PlanetaryTask, motion: Motion) -> Iterator[Given]:
     """Yield the speeds that are given, with their signs: of what drives, or of the first wheel before it."""
-    before = rows_of(order, SCHEMES[order.scheme], "before")
-    for member, speed in motion.driving.items():
-        name = before[-1].names[-1] if before else member
-        told = given_speed(index(name), speed / order.before_ratio)
-        yield told._replace(value=math.copysign(float(told.value), speed / order.before_ratio))
+    speeds = motion.driving
+    if before := rows_of(order, SCHEMES[order.scheme], "before"):
+        speeds = {before[-1].names[-1]: float(order.speed)}  # type: ignore[arg-type]
+    for name, speed in speeds.items():
+        told = given_speed(index(name), speed)
+        yield told._replace(value=math.copysign(float(told.value), speed))
 
 
 RADII: Mapping[str, tuple[float, ...]] = {

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.trains.formulas import overall_ratio
 from graphic_tmm.chapters.trains.ink import Captions, draw_planetary_ink
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.trains.record import BESIDE
@@ -13,7 +15,7 @@ from graphic_tmm.chapters.trains.table import (
     train_table,
     trains_wanted,
 )
-from graphic_tmm.drawn import Drawn, results_of, single
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
@@ -31,7 +33,7 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made, language, reading = PLANETARY_PLAN.on(drawn), drawn.scene.language, drawn.reading
     words, scales, log = captions(language), drawn.scales, drawn.construction
     told = (
-        *calculated_lines(log, reading, made.pairs.speeds, language),
+        *calculated_lines(log, reading, made.pairs.before.values(), language),
         *ratio_lines(log, reading, made, language),
         *_overall(drawn),
         *_torques(drawn),
@@ -62,26 +64,28 @@ def _torques(drawn: Drawn) -> list[str]:
 
 
 def _overall(drawn: Drawn) -> list[str]:
-    """Return the overall ratio and the speed of the last wheel."""
-    made = PLANETARY_PLAN.on(drawn)
-    if made.pairs.ratio is None:
+    """Return the overall ratio and the speed of the last wheel; ratios stage by stage in one line."""
+    log, language, last = drawn.construction, drawn.scene.language, BESIDE.on(drawn).speed
+    if last is None:
         return []
-    language = drawn.scene.language
     _ = speaking(language)
-    ratio = float(drawn.reading[made.pairs.ratio].ravel()[0])
-    rows = (*made.order.behind, *made.order.before)
-    last_speed = BESIDE.on(drawn).speed
-    step = drawn.construction.step(last_speed) if last_speed is not None else None
+
+    def put(mark: Mark) -> str:
+        return number(drawn.value(mark), language)
+
+    def stages(mark: Mark) -> str:
+        step = log.step(mark)
+        if step is None or step.op != overall_ratio:
+            return put(mark) if drawn.value(mark) >= 0.0 else f"|{put(mark)}|"
+        train, driven, driving = step.uses
+        return f"{stages(train)}·{put(driven)}/{put(driving)}"
+
+    step = log.step(last)
     assert step is not None
-    turns = [float(drawn.reading[mark].ravel()[0]) for mark in (step.uses[0], step.it)]
-    speeds = [number(turns[0], language), number(ratio, language), number(turns[1], language)]
-    ratios = single(results_of(drawn, made.results))
-    own = ratios["planetary_ratio"][0]
-    train = number(own, language) if own >= 0.0 else f"|{number(own, language)}|"
-    text = "·".join((train, *(f"{row[-1]}/{row[0]}" for row in rows)))
+    turns, ratio = step.uses
     return [
-        f"U_{{0}} = {text} = {number(ratio, language)}",
-        f"n = {speeds[0]}/{speeds[1]} = {speeds[2]} {_('rpm')}",
+        f"{ratio.name} = {stages(ratio)} = {put(ratio)}",
+        f"n = {put(turns)}/{put(ratio)} = {put(last)} {_('rpm')}",
     ]
 
 

@@ -9,7 +9,7 @@ from itertools import pairwise
 from pathlib import Path
 
 import pytest
-from support.boards import usual_part
+from support.boards import in_usual_size, usual_part
 from support.scenes import calling
 
 from graphic_tmm.board.draft import Draft
@@ -111,6 +111,19 @@ def test_the_last_wheel_turns_as_the_teeth_say(tmp_path: Path) -> None:
     assert motion_of(order).driving["1"] == pytest.approx(-1440 / 3 * math.pi / 30)
     names = [row.names for row in rows_of(order, SCHEMES["ring"], "before")]
     assert names == [("10", "9")], "from the train outward"
+
+
+def test_wheels_before_turn_as_given_whatever_the_ruler_reads(tmp_path: Path) -> None:
+    """From 1000 rpm by 20/60 and 24-20-48 to −166.7 of the sun, which the plan gives as the ruler reads it."""
+    more = 'before = [[20, 60], [24, 20, 48]]\n[[sheet]]\nplace = ["planetary"]\n'
+    text = TRAIN.replace("1440", "1000") + more
+    scene = read(calling(tmp_path, text, sheet="", head=HEAD))
+    drawn = in_usual_size(scene).boards[0]
+    turns = {name: drawn.reading[mark].item() for name, mark in BESIDE.on(drawn).turns.items()}
+    due = {"4": 1000, "5": -1000 / 3, "6": -1000 / 3, "7": 400, "8": -1000 / 6}
+    assert {name: turns[name] for name in due} == pytest.approx(due, rel=1e-12)
+    assert turns["1"] == pytest.approx(-1000 / 6, rel=0.01)
+    assert turns["1"] != pytest.approx(-1000 / 6, rel=1e-12)
 
 
 @pytest.mark.parametrize("rows", [10, 11, 23])
