@@ -183,8 +183,10 @@ def record_checks(draft: Draft, sizes: GearSizes) -> tuple[Check, ...]:
             ]
         found.append(Check("clearance", i, wheel.clearance, zero, size))
     if (ring := sizes.ring) is not None:
+        wheel = sizes.wheels[1]
+        tip = wheel.r_a if wheel.top is wheel.r_b else wheel.top
         found += [
-            Check("ring tip", 2, sizes.wheels[1].r_a, ring.least_tip, size),
+            Check("ring tip", 2, tip, ring.least_tip, size),
             Check("tip overlap", 0, ring.overlap, zero, size),
             Check("assembly", 0, ring.assembly, zero, size),
         ]

@@ -53,7 +53,8 @@ class WheelSizes:
 
     ``x_drawn``: its shift in the section that is drawn. ``pointed``: the radius where both flanks of a tooth
     meet, ``top``: that up to which the tooth is there, r_a or this one; of a ring the base circle, if its tip
-    lies inside. ``lowest``: the radius of curvature of its lowest working point. ``cut``: None of a ring.
+    lies inside, or where its flanks meet. ``lowest``: the radius of curvature of its lowest working point.
+    ``cut``: None of a ring.
     """
 
     number: int
@@ -267,14 +268,19 @@ def _cut(
 def _ringed(
     draft: Draft, pair: _Pair, k: int, order: GearTask, shape: dict[str, Mark]
 ) -> dict[str, Mark]:
-    """Calculate tip and root of a ring's teeth; where the tip lies inside the base circle they end there."""
+    """Calculate the tip of a ring's teeth; they end on the base circle, or where their flanks meet before."""
     (r_b, _, _, r_a, s), (_, alpha, *_) = shape.values(), pair.drawn
     value, rest = known(draft), (s, pair.axes.r[k], alpha)
     top = r_b if value(r_a) < value(r_b) else r_a
     alpha_a = draft.draw(g.tip_angle, "α_{a2}", r_b, top)
     name = letter_of(order, "s_{a}", 2)
     s_a = draft.draw(inside.ring_thickness_at, name, top, *rest, alpha_a, unit="m")
-    return {"alpha_a": alpha_a, "s_a": s_a, "top": top}
+    found = {"alpha_a": alpha_a, "s_a": s_a, "top": top}
+    if known(draft)(s_a) < 0.0:
+        inv_p = draft.draw(inside.pointed_ring_involute, "inv α_{p2}", *rest)
+        found["alpha_p"] = draft.draw(g.angle_of_involute, "α_{p2}", inv_p)
+        found["top"] = draft.draw(g.over_cosine, "r_{p2}", r_b, found["alpha_p"], unit="m")
+    return found
 
 
 _WHEEL = (g.root_radius, g.tip_radius, g.tooth_thickness)
@@ -291,10 +297,10 @@ class _Top(NamedTuple):
 
 def _top(shape: dict[str, Mark], value: Callable[[Mark], float]) -> _Top:
     """Return where a tooth ends: on its tip circle, or before, where its flanks meet or its involute ends."""
-    apex = shape.pop("alpha_p", None)
+    top, apex = shape.pop("top", shape["r_a"]), shape.pop("alpha_p", None)
     if apex is not None and value(shape["s_a"]) < 0.0:
-        return _Top(shape["pointed"], apex)
-    return _Top(shape.pop("top", shape["r_a"]), shape["alpha_a"])
+        return _Top(shape.get("pointed", top), apex)
+    return _Top(top, shape["alpha_a"])
 
 
 def _contact_ratio(

@@ -102,7 +102,8 @@ def draw_action_line(draft: Draft, sizes: GearSizes) -> ActionLine:
         start = draft.draw(cut, "g", line, circles[1].root, forward, why=why.ROOT)
         a = limits[0]
         if not sizes.beyond[0]:
-            a = draft.draw(cut, "a", line, circles[1].tip, forward, why=why.ENTERS)
+            reach = _outmost(draft, other, circles[1])
+            a = draft.draw(cut, "a", line, reach, forward, why=why.ENTERS)
     else:
         start, a = _end(draft, sizes, circles, (line, limits[0], back), 0)
     stop, b = _end(draft, sizes, circles, (line, limits[1], forward), 1)
@@ -144,9 +145,15 @@ def _end(
         return tip, limit
     if not short:
         return tip, tip
-    reach = draft.draw(to_board, f"[{other.top.letter}]", other.top)
-    apex = draft.draw(strike, f"({other.top.letter})", at.centre, reach, why=why.APEX)
-    return tip, draft.draw(cut, letter, line, apex, side, why=reason)
+    return tip, draft.draw(cut, letter, line, _outmost(draft, other, at), side, why=reason)
+
+
+def _outmost(draft: Draft, wheel: WheelSizes, own: Circles) -> Mark:
+    """Return the circle up to which the teeth of a wheel are there, pointed ones no farther."""
+    if wheel.top is wheel.r_a:
+        return own.tip
+    reach = draft.draw(to_board, f"[{wheel.top.letter}]", wheel.top)
+    return draft.draw(strike, f"({wheel.top.letter})", own.centre, reach, why=why.APEX)
 
 
 def _circles(draft: Draft, wheel: WheelSizes, centre: Mark) -> Circles:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from typing import NoReturn
 
 from graphic_tmm.board.bounds import POSITIVE, TaskError
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.dimensions import GearSizes, WheelSizes
 from graphic_tmm.chapters.gears.task import RING, GearTask
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene.declare import bound_of
 
 
@@ -90,6 +91,15 @@ def refuse_sizes(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
     if not value(sizes.alpha_w) > 0.0:
         _refuse_angle(sizes, value)
     for wheel in sizes.wheels:
+        i, x, bound = wheel.number, value(wheel.x), bound_of(GearTask, f"x{wheel.number}")
+        if not bound.holds(x):
+            wanted = bound.wanted
+            _refuse(
+                i,
+                order,
+                said("x{i} = {x:.4g} follows: {wanted} is wanted", i=i, x=x, wanted=wanted),
+            )
+    for wheel in sizes.wheels:
         _refuse_wheel(wheel, order, value)
 
 
@@ -138,57 +148,55 @@ def refuse_ring(order: GearTask) -> None:
         raise TaskError("gears", "z2", says)
 
 
+def _cause(i: int, order: GearTask) -> str:
+    """Return the key that gives the shift of a wheel."""
+    if (order.x1, order.x2)[i - 1] is not None:
+        return f"x{i}"
+    return next((key for key in ("distance", "x_sum") if getattr(order, key) is not None), f"x{i}")
+
+
+def _refuse(i: int, order: GearTask, wrong: str, remedy: str = "") -> NoReturn:
+    """Refuse a wheel by the key of its shift; where it follows the remedy is there."""
+    if (key := _cause(i, order)) != f"x{i}":
+        remedy = said("give another {key}", key=key)
+    raise TaskError("gears", key, joined("; ", (wrong, remedy)))
+
+
 def _refuse_wheel(wheel: WheelSizes, order: GearTask, value: Callable[[Mark], float]) -> None:
+    """Refuse a wheel that has no teeth."""
     i = wheel.number
     if wheel.pointed is None:
         return  # a wheel that has teeth leaves the ring some, too
     root, tip, base = (value(mark) / order.m for mark in (wheel.r_f, wheel.r_a, wheel.r_b))
     if not root > 0.0:
-        raise TaskError(
-            "gears",
-            f"x{i}",
-            said(
-                "wheel {i} has no body: its root circle has the radius {root:.3g}·m; raise x{i} or "
-                "z{i}",
-                i=i,
-                root=root,
-            ),
+        wrong = said(
+            "wheel {i} has no body: its root circle has the radius {root:.3g}·m", i=i, root=root
         )
+        _refuse(i, order, wrong, said("raise x{i} or z{i}", i=i))
     if not tip > base:
-        raise TaskError(
-            "gears",
-            f"x{i}",
-            said(
-                "the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its base circle "
-                "({base:.4g}·m): raise x{i}, or give a smaller delta_y",
-                i=i,
-                tip=tip,
-                base=base,
-            ),
+        wrong = said(
+            "the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its base circle ({base:.4g}·m)",
+            i=i,
+            tip=tip,
+            base=base,
         )
+        _refuse(i, order, wrong, said("raise x{i}, or give a smaller delta_y", i=i))
     if not tip > root:
-        raise TaskError(
-            "gears",
-            f"x{i}",
-            said(
-                "the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its root circle "
-                "({root:.4g}·m): give a smaller delta_y",
-                i=i,
-                tip=tip,
-                root=root,
-            ),
+        wrong = said(
+            "the tip circle of wheel {i} (radius {tip:.4g}·m) lies inside its root circle ({root:.4g}·m)",
+            i=i,
+            tip=tip,
+            root=root,
         )
+        _refuse(i, order, wrong, said("give a smaller delta_y"))
     end = value(wheel.pointed) / order.m
     if not end > max(root, base):
-        raise TaskError(
-            "gears",
-            f"x{i}",
-            said(
-                "x{i} = {x:g} leaves wheel {i} no tooth: its flanks meet at the radius "
-                "{end:.4g}·m, below {max:.4g}·m, where they begin; take a smaller one",
-                i=i,
-                x=value(wheel.x),
-                end=end,
-                max=max(root, base),
-            ),
+        wrong = said(
+            "x{i} = {x:g} leaves wheel {i} no tooth: its flanks meet at the radius {end:.4g}·m, below "
+            "{max:.4g}·m, where they begin",
+            i=i,
+            x=value(wheel.x),
+            end=end,
+            max=max(root, base),
         )
+        _refuse(i, order, wrong, said("take a smaller one"))

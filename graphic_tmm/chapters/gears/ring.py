@@ -73,6 +73,15 @@ def ring_thickness_at(r_a: Number, s: Number, r: Number, alpha: Angle, alpha_a: 
     """{r_a}·({s}/{r} + 2·(inv {alpha_a} − inv {alpha}))"""
 
 
+@formula(
+    why=said(
+        "Where the flanks of a ring meet its tooth is pointed: inward they come nearer until nothing is left."
+    )
+)
+def pointed_ring_involute(s: Number, r: Number, alpha: Angle) -> Number:
+    """−{s}/(2·{r}) + inv {alpha}"""
+
+
 @formula(why=said("The tip of the ring reaches down to this point of the flank, counted from N₁."))
 def lowest_inside(a_w: Number, alpha_w: Angle, r_b: Number, alpha_a: Angle) -> Number:
     """{r_b}·tan {alpha_a} − {a_w}·sin {alpha_w}"""

@@ -182,7 +182,7 @@ def draw_wheel(
         limit = value(wheel.cut.limit)
         start = _start(draft, wheel, (curve, fillet, origin), (limit, value(wheel.r)), sizes)
     corner = origin
-    if wheel.cut or wheel.top is wheel.r_a:
+    if wheel.top is not wheel.r_b:
         corner = draft.draw(curve_meets_arc, f"A_{{{i}}}", curve, circles.tip)
     right = _Spots(points, bends, start, corner)
     left = _reflected(draft, right, axis)

@@ -60,6 +60,23 @@ NAN = float("nan")
         ),
         ({"z1": 60, "x1": -3.0, "x2": 3.5}, "inside its base circle .* raise x1"),
         ({"z1": 5, "x1": 5.0}, "leaves wheel 1 no tooth"),
+        (
+            {"x1": None, "x2": None, "z1": 20, "z2": 40, "m": 0.005, "distance": 0.17},
+            "x2 = 5.449.* give another distance",
+        ),
+        (
+            {"x1": None, "x2": None, "z1": 20, "z2": 40, "m": 0.005, "distance": 0.19},
+            "x2 = 12.69.* give another distance",
+        ),
+        (
+            {"x1": None, "x2": None, "z1": 20, "z2": -60, "m": 0.005, "distance": 0.12},
+            "x2 = 5.94.* give another distance",
+        ),
+        ({"x2": None, "x_sum": 9.0}, "x2 = 8.17 follows: .* give another x_sum"),
+        (
+            {"z1": 60, "x1": None, "x2": 4.5, "x_sum": 0.5},
+            "the tip circle of wheel 1 .* give another x_sum",
+        ),
     ],
 )
 def test_what_cannot_be_a_gear_is_refused_with_a_remedy(changes: dict, says: str) -> None:

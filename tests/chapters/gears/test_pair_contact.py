@@ -263,6 +263,37 @@ def figures(order: GearTask) -> dict[str, float]:
     return {name: value for name, (value, _) in pair(order).results().items()}
 
 
+@pytest.mark.parametrize(
+    "order",
+    [
+        GearTask(20, -30, 0.005, 0.0, 3.5),
+        GearTask(20, -30, 0.005, 0.0, 4.9, alpha=25.0),
+        GearTask(50, -100, 0.005, 0.0, 4.9, alpha=30.0),
+    ],
+)
+def test_the_teeth_of_a_ring_end_where_its_flanks_meet(order: GearTask) -> None:
+    """There the space takes the whole pitch; contact and finding know no tooth farther in."""
+    of, own = pair(order), given(order)
+
+    def open_(k: int, turn: float) -> Callable[[float], float]:
+        return lambda r: own.half[k] - inv(acos(own.base[k] / r)) - turn
+
+    tops = [root_of(open_(0, 0.0), own.base[0], own.tip[0])]
+    tops.append(root_of(open_(1, pi / own.z[1]), own.tip[1], own.root[1]))
+    module = of.real(of.gear.sizes.module)
+    for wheel, due in zip(of.gear.wheels, tops, strict=True):
+        assert of.real(wheel.sizes.top) / module == pytest.approx(due, rel=1e-9)
+        apex = of.one(wheel.teeth[1].right.tip) - of.one(wheel.circles.centre)
+        assert abs(apex) * of.mm / 1000 / of.real(of.gear.sizes.module) == pytest.approx(
+            due, rel=1e-4
+        )
+    ends = [np.sqrt(r**2 - b**2) for r, b in zip(tops, own.base, strict=True)]
+    path = ends[0] - ends[1] + own.axes * sin(own.alpha_w)
+    ratio = path / (pi * cos(own.alpha))
+    assert of.results()["contact_ratio"][0] == pytest.approx(ratio, rel=1e-9)
+    assert of.results()["contact_ratio_drawn"][0] == pytest.approx(ratio, rel=1e-3)
+
+
 def test_published_figures_of_rings() -> None:
     """20/60, m 5: the ring's tips just reach beyond N1; 63.01 teeth is the least ring; 12/40 is cut at N1."""
     found = figures(GearTask(20, -60, 0.005))
