@@ -276,14 +276,14 @@ def mesh_inside(driven: Number, driving: Number) -> Number:
 
 
 @formula(
-    holds="0 < {tip}, {tip} < 2·{axes}",
+    holds="{axes} > 0",
     fails=_NO_ROOM,
     why=said(
         "Neighbouring satellites must not touch: the chord between their axes is longer than the tip diameter."
     ),
 )
 def most_satellites(tip: Number, axes: Number) -> Number:
-    """⌈180°/arcsin({tip}/(2·{axes}))⌉ − 1"""
+    """⌈180°/arcsin(min(1, {tip}/(2·{axes})))⌉ − 1"""
 
 
 @formula(
@@ -359,7 +359,7 @@ def least_ring(z: Number, alpha: Angle, ha: Number) -> Number:
 
 @formula(
     holds="{driven} ≠ 0",
-    fails=_STANDS,
+    fails="the segment is too short to be read at this scale",
     why=said(
         "On one level segments are the angular velocities, to one scale: their ratio is that of the train."
     ),

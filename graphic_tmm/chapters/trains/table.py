@@ -152,7 +152,7 @@ def rate_table(
 def ratio_lines(
     construction: Construction, reading: Reading, made: Planetary, language: str
 ) -> tuple[str, ...]:
-    """Return, as mark-up, the ratio by Willis, the ratio measured, and how far they differ."""
+    """Return, as mark-up, the ratio by Willis, that measured, if any could be, and how far they differ."""
 
     def leads_to(mark: Mark) -> Iterator[Mark]:
         """What it is calculated from, and itself."""
@@ -162,7 +162,8 @@ def ratio_lines(
                 yield from leads_to(used)
             yield mark
 
-    marks = (*leads_to(made.rates.due), made.rates.drawn, made.rates.difference)
+    measured = (made.rates.drawn, made.rates.difference)
+    marks = [*leads_to(made.rates.due), *(m for m in measured if np.isfinite(reading[m]).all())]
     return calculated_lines(construction, reading, marks, language)
 
 

@@ -9,14 +9,19 @@ from typing import Any
 
 import pytest
 from support import train_oracle as oracle
+from support.boards import in_usual_size
 from support.each import each
 from support.scenes import calling
 
 from graphic_tmm.chapters.trains.motion import motion_of
+from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
+from graphic_tmm.chapters.trains.record import BESIDE
 from graphic_tmm.chapters.trains.refusals import scheme_of
+from graphic_tmm.chapters.trains.table import ratio_lines
 from graphic_tmm.chapters.trains.task import ASKED, Limits, PlanetaryTask, module_ratio
 from graphic_tmm.chapters.trains.tooth_search import choose, search
 from graphic_tmm.errors import StructureError
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 from graphic_tmm.scene.records import Scene
 
@@ -138,3 +143,24 @@ def test_schemes_know_their_wheels() -> None:
     assert (scheme.wheels, scheme.opposed) == (("1", "2", "3"), True)
     scheme = scheme_of(replace(C7, scheme="internal-internal", teeth=()))
     assert (scheme.wheels, scheme.opposed) == (("1", "2", "3", "4"), False)
+
+
+def test_a_segment_too_short_to_be_read_is_no_shaft_that_stands(tmp_path: Path) -> None:
+    """U = 10000: the ruler reads 0 of the driven shaft, which moves: no ratio is measured."""
+    text = (
+        '[planetary]\nscheme = "internal-internal"\nmodule = "5 mm"\nspeed = "1440 rpm"\ndriving = "H"\n'
+        'teeth = [100, 99, 100, 101]\n[[sheet]]\nplace = ["planetary"]\n'
+    )
+    head = 'title = "T"\nlanguage = "en"\n'
+    drawn = in_usual_size(read(calling(tmp_path, text, sheet="", head=head))).boards[0]
+    made = PLANETARY_PLAN.on(drawn)
+    told = warnings(drawn, "en")
+    assert any("too short to be read" in one for one in told)
+    assert not any("stands" in one for one in told)
+    assert not any("no room" in one for one in told)
+    lines = ratio_lines(drawn.construction, drawn.reading, made, "en")
+    assert lines
+    assert not any("—" in one or "′" in one or "ΔU" in one for one in lines)
+    most = BESIDE.on(drawn).most
+    assert most is not None
+    assert drawn.value(most) == 1.0
