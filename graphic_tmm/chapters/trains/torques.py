@@ -110,11 +110,11 @@ def draw_torques(
     torques = {first: draft.take(Number, f"M_{first}", given, "N·m")}
     ratio = draw_held(draft, made.train.scheme, made.sizes.teeth, "1", last)
     lost = [ratio]
-    if order.mesh_efficiency < 1.0:
+    flow = mesh_flows(made.train, motion)["1"]
+    if order.mesh_efficiency < 1.0 and flow:
         mesh = draft.take(Number, "η_m", order.mesh_efficiency)
         held = draft.draw(efficiency_held, "η_0", mesh)
-        forward = mesh_flows(made.train, motion)["1"] > 0
-        op = ratio_of_torques if forward else ratio_of_torques_back
+        op = ratio_of_torques if flow > 0 else ratio_of_torques_back
         ratio = draft.draw(op, "u", ratio, held)
         lost += [held, ratio]
     if first == "H":
@@ -150,7 +150,7 @@ def _three_wheels(
     given = math.copysign(moment, motion.driving[first])
     torques, lost = {first: draft.take(Number, f"M_{first}", given, "N·m")}, list[Mark]()
     eta = None
-    if order.mesh_efficiency < 1.0:
+    if order.mesh_efficiency < 1.0 and any(flows.values()):
         mesh = draft.take(Number, "η_m", order.mesh_efficiency)
         eta = draft.draw(efficiency_held, "η_0", mesh)
         lost.append(eta)
@@ -174,6 +174,8 @@ def _three_wheels(
 def mesh_flows(train: Train, motion: Motion, eta: float = 1.0) -> dict[str, int]:
     """Return how power flows through the meshes, the carrier held: +1 by member where it drives the satellite.
 
+    0 where all turn as one: then no tooth slides.
+
     The torques balance, and so does the power that the satellite gets: Σ M_i·κ_i·η^±1 = 0, κ_i the angular
     velocity of a member in that motion. Of all flows the one that keeps itself up with its losses counts; that
     without losses where none does.
@@ -183,6 +185,8 @@ def mesh_flows(train: Train, motion: Motion, eta: float = 1.0) -> dict[str, int]
     known = dict(motion.driving) | ({motion.fixed: 0.0} if motion.fixed else {})
     (one, at_one), (other, at_other) = known.items()
     spin = (at_one - at_other) / (rates[one] - rates[other])
+    if spin == 0.0:
+        return dict.fromkeys(names, 0)
     due = [math.copysign(1.0, spin * rates[name]) for name in names]
 
     def flow(lost: Sequence[float]) -> tuple[float, ...]:

@@ -100,6 +100,28 @@ def test_the_efficiency_of_the_book(driving: str, fixed: str, share: float) -> N
     assert of_torques(order)[1] == pytest.approx(share, rel=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("scheme", "teeth", "due"),
+    [
+        ("ring", (24, 24, 72), {"1": 10.0, "3": 30.0, "H": -40.0}),
+        ("3K", (15, 20, 55, 15, 50), {"1": 10.0, "3": 770 / 3, "5": -800 / 3}),
+    ],
+)
+def test_where_all_turn_as_one_nothing_is_lost(
+    scheme: str, teeth: tuple[int, ...], due: dict[str, float]
+) -> None:
+    """Both shafts of a differential alike: no tooth slides, so the torques are those without losses."""
+    drivers = [name for name in due if name != SCHEMES[scheme].wheels[-1]][:2]
+    order = PlanetaryTask(
+        scheme, 0.005, (10.0, 10.0), tuple(drivers), teeth=teeth, moment=10.0, mesh_efficiency=0.95
+    )
+    draft = Draft()
+    _, torques, _ = draw_torques(draft, draw_planetary(draft, order))
+    reading = execute(draft.board.construction(), draft.given)
+    found = {name: reading[one].item() for name, one in torques.items()}
+    assert found == pytest.approx(due, rel=1e-9)
+
+
 def kept_up(teeth: tuple[int, ...], eta: float, driving: str, fixed: str) -> set[float]:
     """Efficiencies of a train of three central wheels, for each way power may flow and keep itself up.
 
