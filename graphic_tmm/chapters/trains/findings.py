@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
-from graphic_tmm.chapters.trains.record import BESIDE
+from graphic_tmm.chapters.trains.record import locks
 from graphic_tmm.chapters.trains.tooth_verdicts import check
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -24,8 +24,7 @@ def failures(drawn: Drawn, language: str) -> Iterator[str]:
     for verdict in check(made.order, made.train):
         if not verdict.holds:
             yield _(verdict.text)
-    share = BESIDE.on(drawn).efficiency
-    if share is not None and not drawn.value(share) > 0.0:
+    if locks(drawn):
         yield _(LOCKED, member=made.motion.first)
 
 

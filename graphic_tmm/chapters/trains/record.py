@@ -12,6 +12,7 @@ from graphic_tmm.chapters.trains.pairs import draw_rolling, index, rows_of
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN, Planetary, record
 from graphic_tmm.chapters.trains.task import PLANETARY_TRAIN
 from graphic_tmm.chapters.trains.torques import draw_torques
+from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
 
@@ -42,6 +43,12 @@ class Aside(NamedTuple):
 
 
 BESIDE: Recorded[Aside] = Recorded(aside(PLANETARY_TRAIN))
+
+
+def locks(drawn: Drawn) -> bool:
+    """Return whether losses take more power than is put in, so that no torque of a motion is there."""
+    share = BESIDE.on(drawn).efficiency
+    return share is not None and not drawn.value(share) > 0.0
 
 
 def record_beside(bench: Bench) -> Aside:

@@ -19,7 +19,7 @@ from graphic_tmm.chapters.trains.dimensions import Condition
 from graphic_tmm.chapters.trains.formulas import turns_a_minute
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.chapters.trains.rates import RATES
-from graphic_tmm.chapters.trains.record import BESIDE
+from graphic_tmm.chapters.trains.record import BESIDE, locks
 from graphic_tmm.chapters.trains.tooth_search import Solutions, search
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.language.catalogue import Tongues
@@ -46,9 +46,10 @@ def train_results(drawn: Drawn) -> Results:
     if beside.most is not None:
         found["planetary_most"] = beside.most
     found |= {f"planetary_n_{body}": mark for body, mark in beside.turns.items()}
-    found |= {f"planetary_M_{member}": mark for member, mark in beside.torques.items()}
-    if beside.efficiency is not None:
-        found["planetary_efficiency"] = beside.efficiency
+    if not locks(drawn):
+        found |= {f"planetary_M_{member}": mark for member, mark in beside.torques.items()}
+        if beside.efficiency is not None:
+            found["planetary_efficiency"] = beside.efficiency
     return results_of(drawn, found)
 
 

@@ -6,7 +6,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.trains.formulas import overall_ratio
 from graphic_tmm.chapters.trains.ink import Captions, draw_planetary_ink
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
-from graphic_tmm.chapters.trains.record import BESIDE
+from graphic_tmm.chapters.trains.record import BESIDE, locks
 from graphic_tmm.chapters.trains.table import (
     calculated_lines,
     condition_table,
@@ -56,7 +56,9 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 
 def _torques(drawn: Drawn) -> list[str]:
-    """Return the torques on the shafts and the efficiency, as they are calculated."""
+    """Return the torques on the shafts and the efficiency, as they are calculated, of a train that moves."""
+    if locks(drawn):
+        return []
     beside, log = BESIDE.on(drawn), drawn.construction
     marks = [*beside.lost, *beside.torques.values(), beside.efficiency]
     shown = [one for one in marks if one is not None]
