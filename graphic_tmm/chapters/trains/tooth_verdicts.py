@@ -82,7 +82,7 @@ def _said(fine: Truths) -> bool:
 
 
 def _whole(value: float) -> str:
-    return f"{value:g}"
+    return f"{value:g}".replace("-", "−")
 
 
 def _wheel(scheme: Scheme, name: str) -> str:
@@ -106,7 +106,8 @@ def _ratio(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
     if order.ratio is None:
         if holds:
             return ()
-        stands = said("ratio: {name} = {found:g}: a shaft stands", name=name, found=found)
+        size = "∞" if found else "0"
+        stands = said("ratio: {name} = {found}: a shaft stands", name=name, found=size)
         return (Verdict("ratio", "", False, found, stands),)
     miss = 100.0 * (found / order.ratio - 1.0)
     text = said(

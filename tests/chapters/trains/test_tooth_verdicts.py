@@ -80,9 +80,17 @@ def test_a_train_that_stands_is_no_train() -> None:
     order = PlanetaryTask("external-external", 0.004, 1.0, teeth=(20, 20, 20, 20))
     (ratio,) = verdicts(order, (20, 20, 20, 20), 2)["ratio"]
     assert not ratio.holds
-    assert "a shaft stands" in ratio.text
+    assert ratio.text == "ratio: U_1H = 0: a shaft stands"
     (ratio,) = verdicts(replace(order, driving="H"), (20, 20, 20, 20), 2)["ratio"]
     assert not ratio.holds
+    assert ratio.text == "ratio: U_H1 = ∞: a shaft stands"
+
+
+def test_a_distance_below_nothing_has_a_minus() -> None:
+    order = PlanetaryTask("internal", 0.004, 1.0, teeth=(20, 40))
+    (coaxial,) = verdicts(order, (20, 40), 1)["coaxial"]
+    assert not coaxial.holds
+    assert "20 − 40 = −20" in coaxial.text
 
 
 def test_a_single_satellite_has_no_neighbour() -> None:
