@@ -9,6 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.formula_text import define
+from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.values import Angle, Length, Number, Reals
 from graphic_tmm.language.said import said
 
@@ -18,6 +19,8 @@ _SERIES = (21844 / 6081075, 1382 / 155925, 62 / 2835, 17 / 315, 2 / 15, 1 / 3)
 """The coefficients of tan α − α over α³, the highest power first."""
 _NEAR = 0.1
 """Below this angle (radians) the difference tan α − α loses digits and its series is taken."""
+_ROUNDING = 64 * EPS
+"""A distance that differs by less than this share of itself is the same."""
 _PASSES = 10
 """Newton's steps: each doubles the digits once the root is near."""
 
@@ -93,6 +96,9 @@ def working_distance(a: Number, alpha: Angle, alpha_w: Angle) -> Number:
 )
 def perceived_shift(a_w: Number, a: Number, m: Number) -> Number:
     """({a_w} − {a})/{m}"""
+    # shifts that cancel leave the axes where they are, the angle of mesh but for its rounding
+    apart = a_w - a
+    return Number(np.where(np.abs(apart) < _ROUNDING * np.abs(a), 0.0, apart) / m)
 
 
 @formula(

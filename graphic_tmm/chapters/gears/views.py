@@ -8,6 +8,7 @@ from graphic_tmm.chapters.gears.ink_rolling import NAME as ROLLING
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear
+from graphic_tmm.chapters.gears.shifts import letter_of
 from graphic_tmm.chapters.gears.table import dimension_table, gear_results, sliding_table, working
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.subjects import subject, with_caption
@@ -66,9 +67,10 @@ def _ratios(drawn: Drawn) -> list[str]:
         for name in ("contact_ratio", "contact_ratio_drawn", "contact_ratio_difference")
     )
     off = fixed(apart, drawn.percent_decimals, language)
+    base = letter_of(GEARS_PLAN.on(drawn).order, "p_{b}")
     return [
         f"ε_{{α}} = {fixed(formula, 3, language)}",
-        f"{working(drawn)}/p_{{b}} = {fixed(measured, 3, language)} ({off} %)",
+        f"{working(drawn)}/{base} = {fixed(measured, 3, language)} ({off} %)",
     ]
 
 

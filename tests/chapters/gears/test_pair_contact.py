@@ -18,6 +18,7 @@ from shapely import affinity
 from support.teeth import Pair, pair
 
 from graphic_tmm.chapters.gears.task import GearTask
+from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.errors import StructureError
 
 POINTS = 60
@@ -333,6 +334,26 @@ def test_the_shift_that_is_missing_follows(z2: int, beta: float | None, missing:
         assert found[missing] == pytest.approx(getattr(whole, missing), abs=1e-9)
         for name in ("a_w", "r_a1", "r_a2", "contact_ratio", "alpha_w"):
             assert found[name] == pytest.approx(due[name], rel=1e-9), name
+
+
+@pytest.mark.parametrize("beta", [None, 8.0, 21.0, 35.0])
+@pytest.mark.parametrize(("z2", "x2"), [(41, -0.5), (-60, 0.5), (-97, 0.5)])
+def test_shifts_that_cancel_leave_the_axes_in_their_place(
+    z2: int, x2: float, beta: float | None
+) -> None:
+    found = figures(GearTask(20, z2, 0.005, 0.5, x2, beta=beta))
+    assert (found["y"], found["delta_y"]) == (0.0, 0.0)
+    apart = figures(GearTask(20, z2, 0.005, 0.5, x2 + 1e-9, beta=beta))
+    assert abs(apart["y"]) == pytest.approx(1e-9, rel=1e-3)
+
+
+def test_the_caption_names_the_base_pitch_of_its_section() -> None:
+    """Helical, that of the transverse section, as in the table."""
+    for beta, pitch in ((None, "p_{b}"), (20.0, "p_{bt}")):
+        made = gear_views(pair(GearTask(20, 40, 0.005, beta=beta)).drawn, True)
+        told = [label.text for view in made for label in view.labels if "ab/" in label.text]
+        assert len(told) == 2
+        assert all(f"ab/{pitch}" in one for one in told)
 
 
 @pytest.mark.parametrize("z2", [60, -80])
