@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
+import numpy as np
 import shapely
 from shapely.geometry.base import BaseGeometry
 
@@ -37,7 +38,7 @@ from graphic_tmm.paper.lettering.letters import letter
 from graphic_tmm.paper.mark_rules import leaving
 from graphic_tmm.paper.rules import rule_of
 from graphic_tmm.paper.seen import Rule, Seen, Subject
-from graphic_tmm.paper.shapes import box, shapes
+from graphic_tmm.paper.shapes import box, outline, shape
 from graphic_tmm.paper.symbols.kinematic import (
     CENTRE_BEYOND,
     HATCH_DEPTH,
@@ -238,8 +239,9 @@ def _captions(ink: TrainInk, captions: Captions, strokes: Sequence[Ink]) -> list
     heights = (low, ink.centre.imag, ink.pole.imag)
     wide = max(max(rates) - min(rates), COLUMN * ink.heights.point)
     labels: list[list[Label]] = []
-    taken = [shapely.box(*sides) for sides in occupied(ink.scheme.outside)]
-    taken += [*shapes([one for one in strokes if one.pen in HEAVY])]
+    taken: list[BaseGeometry] = [shapely.box(*sides) for sides in occupied(ink.scheme.outside)]
+    heavy = (one for one in strokes if one.pen in HEAVY)
+    taken += [shape(one) for one in heavy if np.isfinite(outline(one)).all()]
     for lines, xs, y, down, most in zip(
         captions, (views, picture, rates), heights, BELOW, (math.inf, math.inf, wide), strict=True
     ):

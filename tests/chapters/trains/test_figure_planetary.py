@@ -6,11 +6,13 @@ import random
 from collections.abc import Callable
 from dataclasses import replace
 from itertools import combinations
+from pathlib import Path
 
 import pytest
 from support import train_oracle as oracle
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
 from support.gallery import exact
+from support.scenes import calling
 
 from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.board.draft import Draft
@@ -20,12 +22,14 @@ from graphic_tmm.chapters.trains.ink import TRACELESS, Captions, draw_planetary_
 from graphic_tmm.chapters.trains.plan import draw_planetary
 from graphic_tmm.chapters.trains.task import SCHEMES, PlanetaryTask
 from graphic_tmm.chapters.trains.views import planetary_views
-from graphic_tmm.errors import StructureError
+from graphic_tmm.errors import SheetError, StructureError
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.figure import pictures
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box, shape
+from graphic_tmm.scene.read import read
+from graphic_tmm.studio import composed_sheets
 
 NONE, CAPTIONS = (
     Captions(),
@@ -126,6 +130,17 @@ def test_letters_of_random_trains_stand_clear(many: Callable[[int, int], int]) -
             for label, one in zip(view.labels, boxes, strict=True):
                 if stroke.pen in (*heavy, *["medium"] * (label.text in captions)):
                     assert one.disjoint(shape(stroke)), (order, label.text)
+
+
+def test_a_plan_that_cannot_be_drawn_is_told_to_be_too_large(tmp_path: Path) -> None:
+    """Velocities metres long: in some size points of the plan of rates stand nowhere."""
+    text = (
+        '[planetary]\nscheme = "ring"\nmodule = "5 mm"\nspeed = "100 rpm"\nteeth = [24, 24, 72]\n'
+        'mu_v = "0.0001 (m/s)/mm"\npole = "2 mm"\n[[sheet]]\nformat = "auto"\nplace = ["planetary"]\n'
+    )
+    head = 'title = "T"\nlanguage = "en"\n'
+    with pytest.raises(SheetError, match="does not fit on A1"):
+        composed_sheets(read(calling(tmp_path, text, sheet="", head=head)))
 
 
 def test_the_train_is_drawn_step_by_step() -> None:
