@@ -107,11 +107,17 @@ def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
 def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
     """Refuse what needs a shaft that the scheme has not, or is sought by none."""
     single = len(scheme.meshes) == 1
-    if order.ratio is not None and (single or "H" not in scheme.members):
-        says = said(
-            'teeth of scheme "{name}" are given, not sought: leave ratio out', name=scheme.name
-        )
-        raise refused("ratio", says)
+    if single or "H" not in scheme.members:
+        if order.ratio is not None:
+            says = said(
+                'teeth of scheme "{name}" are given, not sought: leave ratio out', name=scheme.name
+            )
+            raise refused("ratio", says)
+        if not order.teeth or None in order.teeth:
+            says = said(
+                'teeth of scheme "{name}" are not sought: give all tooth numbers', name=scheme.name
+            )
+            raise refused("teeth", says)
     if single and order.moment is not None:
         says = said("the satellite has no shaft on the axis to take a torque: leave moment out")
         raise refused("moment", says)

@@ -91,13 +91,15 @@ def test_what_is_no_train_is_refused(change: dict[str, Any], says: str) -> None:
         ({"scheme": "3K", "driving": "H"}, "its members are 1, 3, 5"),
         ({"scheme": "3K", "teeth": (24, 30, 84, 18, 73)}, "73 − 18 = 55 is another distance"),
         ({"scheme": "3K", "teeth": (24, 30, 84, 30, 84)}, "a shaft stands"),
+        ({"scheme": "internal", "teeth": (None, 20)}, "not sought: give all tooth numbers"),
+        ({"scheme": "3K", "teeth": ()}, "not sought: give all tooth numbers"),
         (
             {"scheme": "3K", "driving": "1", "fixed": "5", "behind": ((15, 25),)},
             "ring 3 has no shaft",
         ),
         ({"scheme": "external", "teeth": (36, 45), "moment": 20.0}, "leave moment out"),
         ({"scheme": "external", "teeth": (36, 45), "behind": ((15, 25),)}, "leave behind out"),
-        ({"scheme": "internal", "teeth": (36, 45)}, "36 − 45 = -9.* no distance of the axes"),
+        ({"scheme": "internal", "teeth": (36, 45)}, "36 − 45 = −9.* no distance of the axes"),
     ],
 )
 def test_what_the_scheme_has_not_is_refused(change: dict[str, Any], says: str) -> None:
