@@ -147,25 +147,6 @@ def most_overlap(of: Given, both: tuple) -> float:
     )
 
 
-def widest_gap(of: Given) -> float:
-    """The widest gap between the flanks that shall touch in places of the line of action."""
-    way, pole = np.exp(1j * of.alpha_w), 1j * of.roll[0]
-    low, high = (0.95 * r * sin(of.alpha_w) for r in of.roll)
-    gap = 0.0
-    for x in np.linspace(-low, min(low, high), 7):  # from N1 over P
-        spot, angles = pole + x * way, []
-        for k, centre in enumerate((0j, 1j * of.axes * (-1 if of.inside else 1))):
-            away = of.half[k] - inv(acos(min(of.base[k] / abs(spot - centre), 1.0)))
-            facing = pi / 2 if k == 0 or of.inside else -pi / 2
-            # its right flank, of the space of a ring too, is turned so that it passes here
-            angles.append(float(np.angle((spot - centre) * np.exp(-1j * facing))) + away)
-        turn, mate = angles
-        step = 2 * pi / of.z[1]
-        due = turn * of.z[0] / of.z[1] if of.inside else step / 2 - turn * of.z[0] / of.z[1]
-        gap = max(gap, abs((mate - due + step / 2) % step - step / 2) * of.roll[1])
-    return gap
-
-
 def put_in(of: Given, both: tuple, turn: float) -> float:
     """The most overlap while wheel 1 goes from its place to the ring's centre along the line of centres."""
     ways = np.linspace(0.0, min(of.axes, 3.5), 18)
@@ -231,7 +212,6 @@ def test_flanks_touch_on_the_line_of_action_and_overlap_where_it_is_told(seed: i
     for k in (1, 2):
         assert found[f"r_a{k}"][0] / module == pytest.approx(own.tip[k - 1], rel=1e-9)
         assert found[f"r_f{k}"][0] / module == pytest.approx(own.root[k - 1], rel=1e-9)
-    assert widest_gap(own) < 1e-6
     assert drawn_flanks(of, own) < 1e-6
     failed, both = {name for name, _ in of.failed()}, wheels(own)
     overlap = most_overlap(own, both)
