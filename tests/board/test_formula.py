@@ -189,6 +189,7 @@ SILENT = {
     "place_of": ([3.0, -2.0, 1.0], 1.5),
     "still_open": ([1.3, 1.0, 0.9], math.inf),
     "efficiency": ([2.0, 1.0, 1.0], math.nan),
+    "perceived_shift": ([1.0 + 2.0**-50, 1.0, 0.5], 0.0),
     "whole_mm_above": ([0.021 + 2.0**-56], 0.021),
     "whole_mm_below": ([0.021 - 2.0**-56], 0.021),
 }
