@@ -272,3 +272,8 @@ def rescaled(length: Length, mu: Number, other: Number) -> Length:
 @formula(why=said("The pitch circle carries {z} teeth of the pitch π·{m}: 2π·r = π·{m}·{z}."))
 def pitch_radius(m: Number, z: Number) -> Number:
     """{m}·{z}/2"""
+
+
+@formula(why=said("A revolution is 2π, a minute 60 s."))
+def turns_a_minute(omega: Number) -> Number:
+    """30·{omega}/π"""

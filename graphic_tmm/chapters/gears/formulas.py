@@ -298,11 +298,6 @@ def ratio_of_speeds(sliding: Number, rolling: Number) -> Number:
     """{sliding}/{rolling}"""
 
 
-@formula(why=said("A revolution is 2π, a minute 60 s."))
-def speed_in_rpm(omega: Number) -> Number:
-    """30·{omega}/π"""
-
-
 @formula(why=said("The rolling circles do not slide: with more teeth the wheel turns more slowly."))
 def driven_speed(omega: Number, ratio: Number) -> Number:
     """{omega}/{ratio}"""

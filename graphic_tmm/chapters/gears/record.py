@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.energetics import added
-from graphic_tmm.board.operations.formulas import in_si, product, to_board
+from graphic_tmm.board.operations.formulas import in_si, product, to_board, turns_a_minute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.gears import formulas as g
@@ -109,7 +109,7 @@ def _motion(draft: Draft, gear: Gear, ratio: Mark, start: Mark) -> Motion:
     omega = draft.take(Number, "ω_{1}", gear.order.speed, "1/s")
     driven = draft.draw(g.driven_speed, "ω_{2}", omega, ratio, unit="1/s")
     turns = tuple(
-        draft.draw(g.speed_in_rpm, f"n_{i}", one, unit="rpm")
+        draft.draw(turns_a_minute, f"n_{i}", one, unit="rpm")
         for i, one in ((1, omega), (2, driven))
     )
     rolling = draft.draw(product, "v", omega, gear.sizes.wheels[0].r_w, unit="m/s")

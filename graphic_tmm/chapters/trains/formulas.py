@@ -171,11 +171,6 @@ def rate_of_last(held: Number, first: Number, carrier: Number) -> Number:
     """({first} − (1 − {held})·{carrier})/{held}"""
 
 
-@formula(why=said("A revolution is 2π, a minute 60 s."))
-def turns_a_minute(omega: Number) -> Number:
-    """30·{omega}/π"""
-
-
 @formula(
     why=said(
         "Between wheel and satellite the tips of the ring end on the circle where the satellite's involute "

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from graphic_tmm.board.operations.formulas import turns_a_minute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.trains import formulas as t
@@ -58,7 +59,7 @@ def record_beside(bench: Bench) -> Aside:
     ring, satellite = _teeth_for_ratio(bench, made)
     stopped, most = _stopped(bench, made), _most(bench, made)
     turns = {
-        body: bench.draft.draw(t.turns_a_minute, f"n_{index(body)}", omega, unit="rpm")
+        body: bench.draft.draw(turns_a_minute, f"n_{index(body)}", omega, unit="rpm")
         for body, omega in {**made.rates.values, **made.pairs.before}.items()
     }
     if behind := rows_of(made.order, made.train.scheme, "behind"):
@@ -117,7 +118,7 @@ def _speed(bench: Bench, made: Planetary) -> Mark | None:
     first = before[-1].names[-1] if before else motion.first
     last = behind[-1].names[-1] if behind else f"{motion.driven}′"
     omega = pairs.before[first] if before else made.picture.omegas[motion.first]
-    driving = bench.draft.draw(t.turns_a_minute, f"n_{index(first)}", omega, unit="rpm")
+    driving = bench.draft.draw(turns_a_minute, f"n_{index(first)}", omega, unit="rpm")
     return bench.draft.draw(t.speed_behind, f"n_{index(last)}", driving, pairs.ratio, unit="rpm")
 
 

@@ -13,10 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.formulas import turns_a_minute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle, Length
 from graphic_tmm.chapters.trains.dimensions import Condition
-from graphic_tmm.chapters.trains.formulas import turns_a_minute
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN, Planetary
 from graphic_tmm.chapters.trains.rates import RATES
 from graphic_tmm.chapters.trains.record import BESIDE, locks
