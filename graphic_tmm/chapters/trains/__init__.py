@@ -11,6 +11,12 @@ wheels (3K), which share satellites of two rims, the carrier runs idle: U_15 = (
 where 3 stands. With the carrier held power flows to the satellites and from them, and each mesh takes its
 share: that, and the balance of the three torques, gives torques and efficiency.
 
+Bevel wheels are taken by the mean radii of their teeth. The axis of the satellites crosses the main one where
+all pitch cones have their tips; between wheels that differ it leans, cos φ = (z₁ − z₃)/(2·z₂). Willis with the
+sign −: (ω₁ − ω_H)/(ω₃ − ω_H) = −z₃/z₁, of satellites of two rims −z₂·z₄/(z₁·z₃). Angular velocities are
+vectors along the axes, ω₂ = ω_H + ω_2H, and the triangle of them gives how the satellites turn (`bevel`). Of
+the conditions only that of assembly is theirs.
+
 Torques: those on the three shafts balance, and the carrier being held the two central wheels have the
 torques of a plain train, M₄ = −M₁·U_14^(H)·η₀^(±1), where + stands if wheel 1 drives in that motion. A train
 in which the losses take all that is put in locks itself.

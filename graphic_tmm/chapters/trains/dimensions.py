@@ -12,6 +12,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.trains import formulas as t
 from graphic_tmm.chapters.trains import words as why
+from graphic_tmm.chapters.trains.bevel_formulas import draw_mean_radius
 from graphic_tmm.chapters.trains.motion import Motion, motion_of
 from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme, Train
 from graphic_tmm.chapters.trains.tooth_conditions import has_least_ring
@@ -34,8 +35,8 @@ class Dimensions:
     """The sizes of a train as marks (Number).
 
     ``teeth``, ``radii`` (m): by the wheel; ``tips`` (m): tip diameters of the satellites' rims, by the wheel.
-    ``axes``: from the main axis to that of a satellite, m. ``ratio``: driving over driven by Willis,
-    None of a differential.
+    ``axes``: from the main axis to that of a satellite, of bevel wheels to B of it, m. ``ratio``: driving
+    over driven by Willis, None of a differential.
     """
 
     teeth: Mapping[str, Mark]
@@ -50,7 +51,8 @@ class Dimensions:
 def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensions:
     """Calculate radii, distances of axes, the ratio and every condition."""
     scheme = train.scheme
-    first = draft.take(Number, "m" if scheme.rows == 1 else "m_I", order.module, "m")
+    name = "m_m" if scheme.bevel else "m"
+    first = draft.take(Number, name if scheme.rows == 1 else "m_I", order.module, "m")
     second = first
     if scheme.rows == 2:
         second = draft.take(Number, "m_{II}", order.module_2 or order.module, "m")
@@ -66,11 +68,16 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
         )
         for wheel in scheme.wheels
     }
+    motion = motion_of(order)
+    if scheme.bevel:
+        axes = draw_mean_radius(draft, scheme, radii)
+        ratio = _ratio(draft, motion, scheme, z) if motion.fixed else None
+        found = _assembly(draft, scheme, z, k)
+        return Dimensions(z, k, radii, {}, axes, ratio, found)
     axes, *again = (
         _axes(draft, letter, mesh.sense, modules[mesh.rim], z[mesh.wheel], z[mesh.rim])
         for letter, mesh in zip(("a_w", "a′_w", "a″_w"), scheme.meshes, strict=False)
     )
-    motion = motion_of(order)
     ratio = _ratio(draft, motion, scheme, z) if motion.fixed and again else None
     ha = draft.take(Number, "h_{a}^{*}", order.ha)
     tips = {
@@ -218,4 +225,4 @@ def _interference(
 
 def rings_of(scheme: Scheme) -> tuple[tuple[str, str], ...]:
     """Return the rings of a scheme, each with the satellites' rim inside it."""
-    return tuple((mesh.wheel, mesh.rim) for mesh in scheme.meshes if mesh.sense < 0)
+    return tuple((mesh.wheel, mesh.rim) for mesh in scheme.meshes if mesh.ring)

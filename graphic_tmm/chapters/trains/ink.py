@@ -186,7 +186,7 @@ def draw_planetary_ink(on: Subject, made: Planetary, captions: Captions) -> Draw
     traces = figure(ink.seen, showing(circle_rules(ink) | picture_rules(ink) | rate_rules(ink)))
     strokes = (*traces.staying, *draw_circle_bodies(ink), *_scheme(ink), *draw_pole(ink))
     wanted = [*_numbers(ink), *circle_letters(ink), *picture_letters(ink), *rate_letters(ink)]
-    labels = _with_steps(ink, _captions(ink, captions, strokes))
+    labels = with_steps(ink, _captions(ink, captions, strokes))
     positions = ((k, str(k + 1)) for k in ink.seen.positions)
     return traces.drawing(on, strokes, wanted, labels, positions)
 
@@ -213,7 +213,7 @@ def _numbers(ink: TrainInk) -> Iterator[Wanted]:
         yield Wanted(name, at, ink.heights.point, ASIDE, toward, of)
 
 
-def _with_steps(ink: TrainInk, captions: Sequence[Sequence[Label]]) -> Iterator[Label]:
+def with_steps(ink: TrainInk, captions: Sequence[Sequence[Label]]) -> Iterator[Label]:
     """Yield the captions: titles and scales come with the first step of a picture, results with its last."""
     for view, lines in zip(VIEWS, captions, strict=True):
         steps = [step.it.slot for step in ink.seen.steps if step.it.view == view and rule_of(step)]
@@ -249,7 +249,7 @@ def _captions(ink: TrainInk, captions: Captions, strokes: Sequence[Ink]) -> list
         told = [
             (part, size)
             for text, size in zip(lines, sizes, strict=False)
-            for part in _broken(text, size, most)
+            for part in in_lines(text, size, most)
         ]
         block = _clear(told, complex((min(xs) + max(xs)) / 2, y - down), taken, xs is picture)
         labels.append(block)
@@ -262,7 +262,7 @@ def _clear(
 ) -> list[Label]:
     """Lines of a caption from the middle of its top, right of what they cross (``aside``) or below it."""
     while True:
-        block = _block(lines, at.real, at.imag)
+        block = block_of_lines(lines, at.real, at.imag)
         room = shapely.union_all([box(one) for one in block])
         crossed = [one.bounds for one in taken if one.intersects(room)]
         if not crossed:
@@ -274,7 +274,7 @@ def _clear(
             at = complex(at.real, low)
 
 
-def _broken(text: str, size: float, most: float) -> list[str]:
+def in_lines(text: str, size: float, most: float) -> list[str]:
     """Return a line of a caption in lines no wider than ``most`` mm: an equality before its signs =."""
     first, *rest = text.split(" = ")
     if not rest:
@@ -289,7 +289,7 @@ def _broken(text: str, size: float, most: float) -> list[str]:
     return lines
 
 
-def _block(lines: Sequence[tuple[str, float]], middle: float, y: float) -> list[Label]:
+def block_of_lines(lines: Sequence[tuple[str, float]], middle: float, y: float) -> list[Label]:
     """Lines of a caption, each in its height, the first just below a height."""
     labels = []
     for text, size in lines:

@@ -25,14 +25,14 @@ def picture_rules(ink: TrainInk) -> dict[Mark, Rule]:
     picture = ink.made.picture
     high = max(ink.zeros.values(), key=lambda z: z.imag) + 1j * OVER
     zero = ink.seen.by_mark[picture.zeros["A"]].uses[0]
-    rules = {zero: _drawn("thin", ink.zeros["O"], high)}
+    rules = {zero: line_between("thin", ink.zeros["O"], high)}
     for key, end in picture.ends.items():
         told = picture.readings[key], picture.speeds[key]
-        known = not _measured(ink, told[0])
-        rules[end if known else told[0]] = _vector(ink, ink.zeros[key], ink.tips[key], *told)
+        known = not is_read(ink, told[0])
+        rules[end if known else told[0]] = vector(ink, ink.zeros[key], ink.tips[key], *told)
     for key, spots in body_spots(ink).items():
         low, *_, top = sorted(spots, key=lambda z: z.imag)
-        rules[picture.lines[key]] = _drawn("main", low, top)
+        rules[picture.lines[key]] = line_between("main", low, top)
     return rules
 
 
@@ -46,11 +46,12 @@ def body_spots(ink: TrainInk) -> dict[str, list[complex]]:
     return {name: spots[name] for name in ink.made.picture.lines}
 
 
-def _measured(ink: TrainInk, mark: Mark) -> bool:
+def is_read(ink: TrainInk, mark: Mark) -> bool:
+    """Return whether a length is read of the drawing, not calculated."""
     return not ink.seen.by_mark[mark].op.formula
 
 
-def _drawn(pen: str, start: complex, end: complex) -> Rule:
+def line_between(pen: str, start: complex, end: complex) -> Rule:
     """A line between two places, unless they are one."""
 
     def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
@@ -60,18 +61,18 @@ def _drawn(pen: str, start: complex, end: complex) -> Rule:
     return drawn
 
 
-def _vector(ink: TrainInk, foot: complex, tip: complex, segment: Mark, quantity: Mark) -> Rule:
+def vector(ink: TrainInk, foot: complex, tip: complex, segment: Mark, quantity: Mark) -> Rule:
     """A velocity, with what was read of it."""
 
     def vector(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         if abs(tip - foot) >= LEAST:
             shaft, *head = arrow(foot, tip, "medium")
-            yield from (_with_segment(ink, shaft, segment, quantity), *head)
+            yield from (with_segment(ink, shaft, segment, quantity), *head)
 
     return vector
 
 
-def _with_segment(ink: TrainInk, stroke: Stroke, segment: Mark, quantity: Mark) -> Stroke:
+def with_segment(ink: TrainInk, stroke: Stroke, segment: Mark, quantity: Mark) -> Stroke:
     """Return a stroke that tells a page the segment read, in mm, and what it stands for."""
     mm, value = (ink.seen.number(mark, 0) for mark in (segment, quantity))
     data = (
@@ -90,15 +91,15 @@ def rate_rules(ink: TrainInk) -> dict[Mark, Rule]:
     xs = [ink.foot.real, *(z.real for z in ink.ends.values())]
     y, base = ink.foot.imag, ink.seen.by_mark[rates.ends[ink.rims[0]]].uses[0]
     rules = {
-        base: _drawn("main", complex(min(xs) - OVER, y), complex(max(xs) + OVER, y)),
+        base: line_between("main", complex(min(xs) - OVER, y), complex(max(xs) + OVER, y)),
         rates.foot: _dot(circle("main", ink.foot, DOT, filled=True)),
-        rates.pole: _drawn("thin", ink.foot, ink.pole),
+        rates.pole: line_between("thin", ink.foot, ink.pole),
     }
     for key, end in rates.ends.items():
         ray = ink.seen.by_mark[end].uses[1]
-        rules[ray] = _drawn("medium", ink.pole, ink.ends[key])
+        rules[ray] = line_between("medium", ink.pole, ink.ends[key])
         dot = circle("main", ink.ends[key], DOT, filled=True)
-        rules[end] = _dot(_with_segment(ink, dot, rates.segments[key], rates.values[key]))
+        rules[end] = _dot(with_segment(ink, dot, rates.segments[key], rates.values[key]))
     return rules
 
 

@@ -150,7 +150,7 @@ def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
     for rim, way in zip(made.scheme.rims, (-1, 1), strict=False):
         wheel, outward = made.wheels[rim], made.scheme.mesh(rim).sense
         found[rim] = (wheel.centre + way * half + 0.5j * outward * wheel.radius, way + 0j)
-    for name, _, sense in made.scheme.meshes[1:]:
+    for name, _, sense, _ in made.scheme.meshes[1:]:
         wheel = made.wheels[name]
         depth = 0.5 * RIM if sense < 0 else -0.3 * wheel.radius
         found[name] = (wheel.centre + half - 1j * (wheel.radius + depth), 1 + 0j)
@@ -166,7 +166,7 @@ def _first(made: Scheme2KH, wheel: Side) -> Strokes:
     end = complex(made.left, 0.0)
     stand = bearing(complex(made.bearing_middle, 0.0))
     if made.motion.fixed == "1":
-        stand = _built_in(end, -1)
+        stand = built_in(end, -1)
     if made.scheme.first > 0:
         own = gear_side(wheel.centre, wheel.radius, WIDTH)
         return (*own, line("main", end, wheel.centre + WIDTH / 2 + STUB), *stand)
@@ -221,7 +221,7 @@ def _ring_on_hub(wheel: Side, start: float, end: float) -> Iterator[Stroke]:
         yield from guide(*ends, sides=(sense,))
 
 
-def _built_in(at: complex, way: int) -> Strokes:
+def built_in(at: complex, way: int) -> Strokes:
     """The end of a shaft that is built into the frame, the hatching to the right (1) or to the left (−1)."""
     ends = at + 1j * way * GROUND, at - 1j * way * GROUND
     return (line("main", *ends), *hatching(*ends, 1))
@@ -272,7 +272,7 @@ def _carrier(made: Scheme2KH, rims: list[Side]) -> list[Stroke]:
     right = complex(made.right, 0)
     strokes += [line("main", foot, axis - 1j * GAP), line("main", foot, right)]
     if made.motion.fixed == "H":
-        return [*strokes, *_built_in(right, 1)]
+        return [*strokes, *built_in(right, 1)]
     behind = foot.real if made.last is None else made.last.centre.real
     beside = max(behind, foot.real) + WIDTH / 2 + 2 * SHAFT / 3
     if made.turns_outside or made.carried:

@@ -19,6 +19,7 @@ SEVERAL = said(
     "All conditions of the train hold: its wheels have a common axis, {planetary_satellites} satellites are "
     "fewer than touch (at most {planetary_most} have room) and can be put in, no tooth is undercut."
 )
+BEVEL = said("The satellites can be put in evenly.")
 ONE = said("All conditions of the train hold: its wheels have a common axis, no tooth is undercut.")
 
 
@@ -45,6 +46,8 @@ class TrainPage(Page[Planetary]):
         broken = [one.text for one in check(made.order, made.train) if not one.holds]
         if broken:
             yield self.sentence(BROKEN, conditions="; ".join(map(self.speech, broken)))
+        elif made.train.scheme.bevel:
+            yield self.sentence(BEVEL)
         else:
             yield self.sentence(SEVERAL if "planetary_most" in self.results else ONE)
 

@@ -9,6 +9,12 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard, standard_length
+from graphic_tmm.chapters.trains.bevel import (
+    BevelView,
+    choose_room,
+    draw_side_view,
+    draw_triangle,
+)
 from graphic_tmm.chapters.trains.dimensions import Dimensions, calculate_train
 from graphic_tmm.chapters.trains.motion import Motion, motion_of
 from graphic_tmm.chapters.trains.pairs import Pairs, draw_pairs
@@ -27,6 +33,8 @@ from graphic_tmm.scene.chapter import Recorded
 
 DIAMETER = 160.0
 """Room for the circles, mm."""
+BEVEL = (110.0, 50.0)
+"""Room for bevel wheels, and for the longest velocity above them, mm."""
 VELOCITY, RATE = 70.0, 80.0
 """Room for the longest velocity, and for the longest segment of the plan of angular velocities, mm."""
 POLES = (60.0, 50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 10.0)
@@ -72,11 +80,15 @@ def choose_scales(draft: Draft, drawn: Drawn) -> None:
     draft.given |= {draft.mu_l: 1.0, mu_v: 1.0, distance: 1.0, rates.depth: BELOW}
     draft.given |= dict.fromkeys((*stations.values(), picture.place), 0.0)
     draft.given |= {mark: 0.0 for view in drawn.pairs.outside for mark in view.stations}
+    diameter, longest_velocity = BEVEL if drawn.train.scheme.bevel else (DIAMETER, VELOCITY)
     draft.given[draft.mu_l] = order.mu_l or standard_length(
-        2.0 * _reach(draft, drawn), DIAMETER * size
+        2.0 * _reach(draft, drawn), diameter * size
     )
     longest = max(_sizes(draft, picture.readings.values()))
-    draft.given[mu_v] = order.mu_v or standard(longest, VELOCITY * size)
+    draft.given[mu_v] = order.mu_v or standard(longest, longest_velocity * size)
+    if drawn.train.scheme.bevel:
+        choose_room(draft, picture, rates, drawn.axial, size)
+        return
     longest = max(_sizes(draft, rates.segments.values()))
     fits = (pole for pole in POLES if pole * longest <= RATE * size)
     draft.given[distance] = order.pole or next(fits, RATE * size / longest)
@@ -143,6 +155,8 @@ def _reach(draft: Draft, drawn: Drawn) -> float:
 def reach_of(scheme: Scheme, radii: Mapping[str, float]) -> float:
     """Return the radius about the main axis that wheels take; ``radii``: by wheel, that of the axes as "H"."""
     rims = max(radii[rim] for rim in scheme.rims)
+    if scheme.bevel:
+        return max(radii.values())
     return max(radii["H"] + rims, *(radii[mesh.wheel] for mesh in scheme.meshes))
 
 
@@ -197,12 +211,19 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
     mu = draft.mu_l = draft.scale("μ_l", "m/mm")
     draft.lay_out()
     sizes = calculate_train(draft, order, train)
-    end = draw_end_view(draft, train, sizes)
-    axial = draw_axial_view(draft, train, end)
+    end: EndView
+    if train.scheme.bevel:
+        end, axial = draw_side_view(draft, train, sizes)
+    else:
+        end = draw_end_view(draft, train, sizes)
+        axial = draw_axial_view(draft, train, end)
     pairs = draw_pairs(draft, order, train.scheme, sizes, end)
     motion = motion_of(order)
     picture = draw_picture(draft, motion, train.scheme, end, sizes, [*pairs.before.values()])
-    rates = draw_rates(draft, motion, train, end, sizes, picture)
+    if isinstance(end, BevelView):
+        rates = draw_triangle(draft, motion, train, end, sizes, picture)
+    else:
+        rates = draw_rates(draft, motion, train, end, sizes, picture)
     found = "ratio" if sizes.ratio is not None else "omega"
     results = {f"planetary_z{wheel}": mark for wheel, mark in sizes.teeth.items()}
     results |= {

@@ -40,7 +40,8 @@ STANDS = "0"
 class VelocityPicture:
     """The picture of linear velocities.
 
-    ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it;
+    ``place``: where its zero line stands along the axis (Length, given); ``zeros``: O, A, B, C on it, no O of
+    bevel wheels;
     ``ends``: those of velocities, by the point; ``lines``: of the bodies that move, satellites as "2";
     ``readings``: the velocities by point, laid off and the others measured (Length); ``speeds`` the same in
     m/s; ``omegas``: what is given, 1/s, by the member.
@@ -61,7 +62,9 @@ class Rates:
     """The plan of angular velocities.
 
     ``depth``: how far below the axis its line lies (Length, given); ``distance``: H of the pole (Length,
-    given); ``foot``: what stands; ``ends``, ``segments``, ``values`` (1/s): of the bodies that move. ``due`` by
+    given); ``foot``: what stands; ``ends``, ``segments``, ``values`` (1/s): of the bodies that move. Of vectors
+    along the axes of bevel wheels the pole, where all that stands is, is ``distance`` along the axis from O and
+    ``depth`` above it. ``due`` by
     Willis, ``drawn`` as measured: driving over driven, or a differential's third angular velocity, 1/s;
     ``difference`` of both, %.
     """
@@ -95,10 +98,12 @@ def draw_picture(
     mu = draft.scale("μ_v", "(m/s)/mm")
     draft.lay_out()
     place = draft.ask(Length, "x_v", "mm")
-    origin = draft.draw(lay_off, "O", end.axis, place, why=why.ZERO)
-    zero = draft.draw(square, "(0)", origin, end.axis, sense=1, why=why.ZERO)
+    name = "B" if scheme.bevel else "O"
+    reason = why.ZERO_OF_BEVEL if scheme.bevel else why.ZERO
+    origin = draft.draw(lay_off, name, end.axis, place, why=reason)
+    zero = draft.draw(square, "(0)", origin, end.axis, sense=1, why=reason)
     feet = {
-        letter: draft.draw(meet, letter, zero, level, why=why.ZERO)
+        letter: origin if letter == name else draft.draw(meet, letter, zero, level, why=why.ZERO)
         for letter, level in end.levels.items()
     }
     points = {member: letter for letter, member in scheme.spots.items()}
@@ -141,7 +146,7 @@ def draw_picture(
     for body in sorted([*points, scheme.rims[0]], key=lambda body: (body == "H", body)):
         if body == scheme.rims[0]:
             lines[body] = satellite
-        elif body != motion.fixed:
+        elif body != motion.fixed and not scheme.bevel:
             tip = tips[points[body]]
             lines[body] = draft.draw(join, f"(O{tip.letter})", origin, tip, why=why.BODY_LINE)
     for at in sought:
@@ -150,7 +155,7 @@ def draw_picture(
         )
         speeds[at] = draft.draw(in_si, f"v_{at}", readings[at], unit="m/s")
     ends = {point: tips[point] for point in points.values() if point in tips}
-    return VelocityPicture(mu, place, {"O": origin, **feet}, ends, lines, readings, speeds, omegas)
+    return VelocityPicture(mu, place, {name: origin, **feet}, ends, lines, readings, speeds, omegas)
 
 
 def draw_rates(
@@ -188,13 +193,13 @@ def draw_rates(
         due = sizes.ratio
         difference = draft.draw(miss_of_ratio, "ΔU", drawn, due, unit="%", why=why.COMPARED)
     else:
-        due = _by_willis(draft, motion, train.scheme, sizes.teeth, picture.omegas)
+        due = draw_willis(draft, motion, train.scheme, sizes.teeth, picture.omegas)
         drawn = values[driven]
         difference = draft.draw(miss_of_ratio, "Δω", drawn, due, unit="%", why=why.COMPARED)
     return Rates(mu, depth, distance, pole, foot, ends, segments, values, due, drawn, difference)
 
 
-def _by_willis(
+def draw_willis(
     draft: Draft,
     motion: Motion,
     scheme: Scheme,

@@ -82,8 +82,13 @@ def _teeth_for_ratio(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark |
 
 
 def _stopped(bench: Bench, made: Planetary) -> tuple[Mark, ...]:
-    """Calculate the ratio of each mesh with the carrier stopped: negative where both wheels are outside."""
+    """Calculate the ratio of each mesh with the carrier stopped: negative where both wheels are outside.
+
+    Of bevel wheels none: their axes are not parallel.
+    """
     teeth, scheme = made.sizes.teeth, made.train.scheme
+    if scheme.bevel:
+        return ()
     found = []
     for k, mesh in enumerate(scheme.meshes):
         driving, driven = (mesh.rim, mesh.wheel) if k else (mesh.wheel, mesh.rim)
@@ -95,7 +100,7 @@ def _stopped(bench: Bench, made: Planetary) -> tuple[Mark, ...]:
 
 def _most(bench: Bench, made: Planetary) -> Mark | None:
     """Calculate the largest number of satellites by the condition of neighbours; a single one has none."""
-    if made.train.satellites == 1:
+    if made.train.satellites == 1 or made.train.scheme.bevel:
         return None
     sizes, draft = made.sizes, bench.draft
     if len(sizes.tips) == 1:

@@ -107,7 +107,10 @@ def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
 def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
     """Refuse what needs a shaft that the scheme has not, or is sought by none."""
     single = len(scheme.meshes) == 1
-    if single or "H" not in scheme.members:
+    if order.pole is not None and scheme.bevel:
+        says = said("of bevel wheels angular velocities are laid off as vectors: leave pole out")
+        raise refused("pole", says)
+    if single or scheme.bevel or "H" not in scheme.members:
         if order.ratio is not None:
             says = said(
                 'teeth of scheme "{name}" are given, not sought: leave ratio out', name=scheme.name
@@ -125,6 +128,11 @@ def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
     for name, member in (("behind", motion.driven), ("before", motion.first)):
         if not getattr(order, name):
             continue
+        if scheme.bevel:
+            says = said(
+                "outside a train of bevel wheels no pair is drawn: leave {key} out", key=name
+            )
+            raise refused(name, says)
         if single:
             says = said(
                 "the satellite has no shaft on the axis for a pair: leave {key} out", key=name

@@ -41,6 +41,10 @@ def factors(drawn: Drawn) -> Iterator[ScaleFactor]:
     yield ScaleFactor(mu_l, "d_{max}", wide, fixed=order.mu_l, lengths=True)
     longest = max(abs(value_of(drawn, mark)) for mark in train.picture.readings.values())
     yield ScaleFactor(mu_v, "v_{max}", longest * value_of(drawn, mu_v), fixed=order.mu_v)
+    if train.train.scheme.bevel:
+        rates = train.rates
+        longest = max(abs(value_of(drawn, mark)) for mark in rates.segments.values())
+        yield ScaleFactor(rates.mu, "ω_{max}", longest * value_of(drawn, rates.mu))
 
 
 def _reach(drawn: Drawn, train: Planetary) -> float:

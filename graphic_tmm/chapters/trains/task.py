@@ -25,12 +25,19 @@ PLANETARY_TRAIN = "planetary"
 class Mesh(NamedTuple):
     """A central wheel and the rim of the satellites that it touches.
 
-    ``sense``: +1 where both have external teeth, −1 where the central wheel is a ring.
+    ``sense``: +1 where both have external teeth, −1 where the central wheel is a ring; of a ``bevel`` pair −1
+    where the central wheel stands behind the satellite and turns as a ring would.
     """
 
     wheel: str
     rim: str
     sense: int
+    bevel: bool = False
+
+    @property
+    def ring(self) -> bool:
+        """Whether the central wheel is a ring."""
+        return self.sense < 0 and not self.bevel
 
 
 @dataclass(frozen=True)
@@ -66,6 +73,11 @@ class Scheme:
         return self.meshes[-1].sense
 
     @property
+    def bevel(self) -> bool:
+        """Whether the wheels are bevel wheels, the axes of the satellites cross the main one."""
+        return self.meshes[0].bevel
+
+    @property
     def opposed(self) -> bool:
         """Whether, with the carrier held, the first and the last central wheel turn in opposite senses."""
         return self.first * self.second < 0
@@ -81,6 +93,11 @@ class Scheme:
         """What has a shaft on the main axis; where three central wheels have one the carrier runs idle."""
         central = tuple(mesh.wheel for mesh in self.meshes)
         return central if len(central) > 2 else (*central, "H")
+
+    @property
+    def shafts(self) -> int:
+        """How many satellites there are, if nothing is said."""
+        return 1 if len(self.meshes) < 2 else 2 if self.bevel else 3
 
     @property
     def usual(self) -> tuple[str, str]:
@@ -103,7 +120,9 @@ class Scheme:
 
 
 def _scheme(name: str, *meshes: str) -> Scheme:
-    return Scheme(name, tuple(Mesh(m[0], m[2], 1 if m[1] == "+" else -1) for m in meshes))
+    return Scheme(
+        name, tuple(Mesh(m[0], m[2], 1 if m[1] in "+<" else -1, m[1] in "<>") for m in meshes)
+    )
 
 
 SCHEMES: Mapping[str, Scheme] = MappingProxyType(
@@ -117,10 +136,15 @@ SCHEMES: Mapping[str, Scheme] = MappingProxyType(
             _scheme("external", "1+2"),
             _scheme("internal", "1−2"),
             _scheme("3K", "1+2", "3−2", "5−4"),
+            _scheme("bevel", "1<2", "3>2"),
+            _scheme("bevel-double", "1<2", "4>3"),
         )
     }
 )
-"""The schemes by name; of a mesh: central wheel, + or − as in the distance of axes, rim of the satellites."""
+"""The schemes by name; of a mesh: central wheel, + or − as in the distance of axes, rim of the satellites.
+
+Of bevel wheels < or >: before the axis of the satellites or behind it.
+"""
 
 
 @dataclass(frozen=True)
@@ -246,10 +270,10 @@ _SHAFTS = Kind(
 class PlanetaryTask:
     """A planetary train: tooth numbers wanted, or checked.
 
-    ``scheme``: one of `SCHEMES`: 2K–H, two wheels on an arm, or 3K. ``module``: of the
-    first row, m; ``module_2`` of the second, that of the first if None. ``speed``: angular velocity of the
-    driving shaft, rad/s, with its sign, or of both that drive. ``driving``: the member that drives, a central
-    wheel or "H", or two; "1" with two speeds is both central wheels. ``fixed``: the one
+    ``scheme``: one of `SCHEMES`: 2K–H, two wheels on an arm, 3K, or bevel wheels. ``module``: of the first
+    row, m, of bevel wheels the mean one; ``module_2`` of the second, that of the first if None. ``speed``:
+    angular velocity of the driving shaft, rad/s, with its sign, or of both that drive. ``driving``: the member
+    that drives, a central wheel or "H", or two; "1" with two speeds is both central wheels. ``fixed``: the one
     that stands, None for the usual one (see `Scheme.usual`, `motion_of`).
     ``ratio``: the ratio wanted, driving over driven angular velocity, with its sign;
     ``tolerance``: by what share of itself it may be missed. ``teeth``: a tooth number for every wheel of the
@@ -266,7 +290,7 @@ class PlanetaryTask:
         lambda said: said.scheme,
         scheme=key(v.choice(*SCHEMES), "which wheels mesh", "ring", "ring"),
     )
-    module: float = key(v.POSITIVE_LENGTH, "the module", "8 mm")
+    module: float = key(v.POSITIVE_LENGTH, "the module, of bevel wheels the mean one", "8 mm")
     speed: float | tuple[float, ...] = key(
         _SPEEDS, "angular velocity of the driving shaft, of both of a differential", "2888 rpm"
     )
@@ -291,11 +315,11 @@ class PlanetaryTask:
         _ASKED, 'tooth numbers, "?" for one to be found', [25, "?", "?"], ()
     )
     satellites: tuple[int, ...] = combined_key(
-        lambda said: said.satellites or ((3,) if len(SCHEMES[said.scheme].meshes) > 1 else (1,)),
+        lambda said: said.satellites or (SCHEMES[said.scheme].shafts,),
         (3,),
         satellites=key(
             _SHAFTS,
-            "number of satellites, or several to choose from; if left out 3, on an arm 1",
+            "number of satellites, or several to choose from; if left out 3, bevel ones 2, on an arm 1",
             3,
             None,
         ),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 
+from graphic_tmm.chapters.trains.ink_bevel import draw_bevel_scheme, spots_of_bevel
 from graphic_tmm.chapters.trains.ink_pairs import WIDTH, Side, SideRows
 from graphic_tmm.chapters.trains.ink_scheme import ASIDE, Scheme2KH, draw_scheme, spots
 from graphic_tmm.chapters.trains.motion import Motion, motion_of
@@ -34,7 +35,7 @@ def given(scene: Scene) -> Iterator[Given]:
         yield Given(motion.ratio, order.ratio)
         yield Given("ΔU_{max}", 100.0 * order.tolerance, "%")
     if order.module_2 is None:
-        yield Given("m", order.module, SIZE)
+        yield Given("m_m" if SCHEMES[order.scheme].bevel else "m", order.module, SIZE)
     else:
         yield Given("m_{1-2}", order.module, SIZE)
         yield Given("m_{3-4}", order.module_2, SIZE)
@@ -69,6 +70,8 @@ RADII: Mapping[str, tuple[float, ...]] = {
     "external": (13.0, 16.0),
     "internal": (34.0, 15.0),
     "3K": (10.0, 13.0, 9.0),
+    "bevel": (24.0, 17.0),
+    "bevel-double": (17.0, 13.0, 20.0),
 }
 """Radii of wheel 1 and of the rims of a scheme, mm: signs, all the same whatever the teeth."""
 BEHIND = (7.0, 11.0)
@@ -100,14 +103,20 @@ def scheme(scene: Scene, room: complex) -> Shown | None:
 
 
 def _drawing(order: PlanetaryTask, share: float, apart: float) -> Drawing:
-    made = _placed(order, share, apart)
+    if SCHEMES[order.scheme].bevel:
+        made = _placed_bevel(order, share)
+        parts = draw_bevel_scheme(made, min(order.satellites) % 2 == 0)
+        places = spots_of_bevel(made)
+    else:
+        made = _placed(order, share, apart)
+        parts, places = draw_scheme(made), spots(made)
     strokes = tuple(
         stroke
-        for name, some in draw_scheme(made)
+        for name, some in parts
         for stroke in added(some, "carrier" if name == "H" else "wheel")
     )
     size = HEIGHTS["A4"].point
-    wanted = [Wanted(name, at, size, ASIDE, toward) for name, (at, toward) in spots(made).items()]
+    wanted = [Wanted(name, at, size, ASIDE, toward) for name, (at, toward) in places.items()]
     return finished(Drawing("scheme", "", strokes, wanted=tuple(wanted)))
 
 
@@ -118,7 +127,7 @@ def _placed(order: PlanetaryTask, share: float, apart: float) -> Scheme2KH:
     axis, last = radii[0] + kind.first * radii[1], ROW * (kind.rows - 1)
     rims = dict(zip(kind.rims, zip((0.0, last), radii[1:], strict=False), strict=True))
     wheels = {}
-    for name, rim, sense in kind.meshes:
+    for name, rim, sense, _ in kind.meshes:
         x, radius = rims[rim]
         wheels[name] = _central(x, axis - sense * radius)
         wheels.setdefault(rim, _satellite(x, axis, sense, radius))
@@ -140,6 +149,18 @@ def _placed(order: PlanetaryTask, share: float, apart: float) -> Scheme2KH:
         if rows:
             outside.append(SideRows(member, tuple(rows)))
     return Scheme2KH(kind, wheels, (complex(arm, axis), complex(arm)), tuple(outside), motion)
+
+
+def _placed_bevel(order: PlanetaryTask, share: float) -> Scheme2KH:
+    """Return where bevel wheels stand, mm; O in 0; the last wheel is a half larger where there are two rims."""
+    kind = SCHEMES[order.scheme]
+    first, *rims = (share * radius for radius in RADII[kind.name])
+    wheels = {}
+    for mesh, radius, times in zip(kind.meshes, (rims[0], rims[-1]), (1.0, 1.5), strict=True):
+        at = complex(-mesh.sense * radius, first * (times if len(rims) > 1 else 1.0))
+        wheels[mesh.wheel] = Side(at, at.conjugate(), complex(at.real))
+        wheels.setdefault(mesh.rim, Side(at, complex(-at.real, at.imag), 1j * at.imag))
+    return Scheme2KH(kind, wheels, (1j * first, 0j), (), motion_of(order))
 
 
 def _row(names: Sequence[str], at: complex, share: float) -> dict[str, Side]:
@@ -190,9 +211,12 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     yield _stands(motion, language)
     if order.ratio is not None:
         yield _(_TEETH)
-    yield _(_DRAWN)
+    bevel = SCHEMES[order.scheme].bevel
+    yield _(_DRAWN_BEVEL if bevel else _DRAWN)
     single = len(SCHEMES[order.scheme].meshes) == 1
     yield _(_PLANET if single else _PICTURES if motion.fixed else _THIRD)
+    if bevel:
+        yield _(_RELATIVE)
     if order.moment is not None:
         yield _(_TORQUES)
     if order.behind or order.before:
@@ -219,7 +243,18 @@ _SCHEMES = {
         "The train has three central wheels: wheel 1 and ring 3 mesh with rim 2 of the satellites, ring 5 with "
         "their rim 4; carrier H runs idle."
     ),
+    "bevel": said(
+        "The train is of bevel wheels: satellites 2 mesh with wheels 1 and 3; carrier H holds their axes."
+    ),
+    "bevel-double": said(
+        "The train is of bevel wheels: wheel 1 meshes with rim 2 of the satellites, their rim 3 with wheel 4; "
+        "carrier H holds their axes."
+    ),
 }
+_DRAWN_BEVEL = said("The kinematic scheme of the train is drawn to scale by its mean radii.")
+_RELATIVE = said(
+    "The angular velocity of the satellites about their axis is found from the triangle of angular velocities."
+)
 _STANDS = said("Of its coaxial members {member} stands still.")
 _DIFFERENTIAL = said("No member stands still: two of its shafts drive, {driven} is driven.")
 _THIRD = said(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -62,6 +63,9 @@ def check(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
     for pair in scheme.pairs:
         z, q = _teeth(train, pair), module_ratio(order) if pair.rows == 2 else Fraction(1)
         single = len(pair.meshes) == 1
+        if pair.bevel:
+            found += [*_axis_of_satellites(pair, z), _assembly(pair, train.satellites, z)]
+            continue
         if not (single and c.coaxial(pair, z, q)):
             found.append(_coaxial(pair, z, q))
         if pair == scheme.pairs[-1]:
@@ -144,6 +148,21 @@ def _coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Verdict:
         fault="" if holds else fault,
     )
     return Verdict("coaxial", "", holds, float(second), text)
+
+
+def _axis_of_satellites(scheme: Scheme, z: Teeth) -> Iterator[Verdict]:
+    """Yield that satellites of one rim touch no two wheels that differ by so many teeth."""
+    (z1,), (z2,), _, (z4,) = z
+    between, most = abs(int(z1 - z4)), 2 * int(z2)
+    if scheme.rows == 1 and between >= most:
+        text = said(
+            "coaxial: the central wheels differ by {n} teeth, not by less than {most} = 2·{z2}: no satellite "
+            "touches both",
+            n=between,
+            most=most,
+            z2=int(z2),
+        )
+        yield Verdict("coaxial", "", False, float(between), text)
 
 
 def _neighbours(order: PlanetaryTask, train: Train, z: Teeth, q: Fraction) -> Verdict:

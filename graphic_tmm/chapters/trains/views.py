@@ -5,6 +5,7 @@ from __future__ import annotations
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.trains.formulas import overall_ratio
 from graphic_tmm.chapters.trains.ink import Captions, draw_planetary_ink
+from graphic_tmm.chapters.trains.ink_bevel import draw_bevel_ink
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.trains.record import BESIDE, locks
 from graphic_tmm.chapters.trains.table import (
@@ -47,7 +48,8 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     shown = Captions(*(tuple(text for text in group if text) for group in found))
     high = heights(drawn.scene, "planetary")
     on = subject(drawn, words["planetary"], "planetary")
-    view = draw_planetary_ink(on, made, shown)
+    draw = draw_bevel_ink if made.train.scheme.bevel else draw_planetary_ink
+    view = draw(on, made, shown)
     views = [finished(view, lettered), condition_table(log, reading, made, language, high)]
     views.append(rate_table(log, reading, made, language, high))
     if (trains := trains_wanted(made)) is not None:

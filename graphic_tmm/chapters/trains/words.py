@@ -24,6 +24,7 @@ CAPTIONS: dict[str, str] = {
     "planetary_omega_difference": "Δ_{ω}",
     "planetary_omega": said("ω by Willis"),
     "planetary_omega_drawn": said("ω as drawn"),
+    "planetary_n_2H": "n_{2H}",
     **{f"planetary_M_{member}": f"M_{member}" for member in "1345H"},
     "planetary_efficiency": "η",
     "planetary-torques": said("Torques on the shafts"),
@@ -59,6 +60,34 @@ WORDS = Named(
 AXIS = said("The axis of the train; radii are laid off square to it.")
 MESH = said(
     "Pitch circles touch in the mesh: its distance from the axis is the radius of the central wheel."
+)
+AXIS_OF_BEVEL = said(
+    "The carrier holds the satellites about an axis that crosses the main one in O, where all cones have their "
+    "tips."
+)
+MEAN_DIAMETER = said(
+    "The mean diameter of the satellite is square to its axis; it touches the central wheel at its end."
+)
+BETWEEN_CONTACTS = said(
+    "A, B and C are points of the satellite in one line: their velocities grow evenly along it."
+)
+CONES_TOUCH = said(
+    "In this line the cones touch: seen from the wheel the satellite turns about it."
+)
+ZERO_OF_BEVEL = said(
+    "Velocities are square to the drawing; they are laid off square to the line of A, B, C, from one parallel "
+    "to it."
+)
+POLE_OF_VECTORS = said(
+    "Angular velocities are vectors along the axes; those about the main axis lie in one line."
+)
+ALONG_AXIS = said("The angular velocity is laid off along the main axis, to scale, with its sign.")
+RELATIVE_ALONG_AXIS = said(
+    "Seen from the carrier the satellite turns about its own axis: ω_2 = ω_H + ω_2H."
+)
+ABOUT_CONTACT = said(
+    "Seen from the central wheel the satellite turns about the line in which their cones touch: the vector is "
+    "parallel to it."
 )
 SATELLITES = said(
     "The carrier holds the satellites evenly about the axis, so that their forces balance."

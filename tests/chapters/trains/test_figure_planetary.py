@@ -19,6 +19,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Construction
 from graphic_tmm.chapters.trains.ink import TRACELESS, Captions, draw_planetary_ink
+from graphic_tmm.chapters.trains.ink_bevel import draw_bevel_ink
 from graphic_tmm.chapters.trains.plan import draw_planetary
 from graphic_tmm.chapters.trains.task import SCHEMES, PlanetaryTask
 from graphic_tmm.chapters.trains.views import planetary_views
@@ -50,7 +51,8 @@ def drawn(order: PlanetaryTask, captions: Captions = NONE) -> tuple[Construction
     made = draw_planetary(draft, order)
     log = draft.board.construction()
     reading = execute(log, draft.given)
-    view = draw_planetary_ink(Subject(log, reading, "X"), made, captions)
+    draw = draw_bevel_ink if SCHEMES[order.scheme].bevel else draw_planetary_ink
+    view = draw(Subject(log, reading, "X"), made, captions)
     return log, finished(view)
 
 
@@ -93,14 +95,17 @@ def test_steps_of_random_trains_are_their_ink(scheme: str) -> None:
             before=((20, 30),),
         ),
         PlanetaryTask("3K", 0.005, 10.0, "3", "5", teeth=(24, 30, 84, 18, 72)),
+        PlanetaryTask("bevel", 0.005, (10.0, -4.0), ("1", "H"), teeth=(20, 12, 20)),
+        PlanetaryTask("bevel", 0.005, 10.0, "3", "H", teeth=(40, 50, 30), satellites=(3,)),
+        PlanetaryTask("bevel-double", 0.005, 10.0, teeth=(20, 18, 24, 36)),
     ],
 )
-def test_steps_of_two_wheels_and_of_three_central_ones_are_their_ink(order: PlanetaryTask) -> None:
+def test_steps_of_all_other_trains_are_their_ink(order: PlanetaryTask) -> None:
     assert_laws(*drawn(order))
 
 
 def test_letters_of_random_trains_stand_clear(many: Callable[[int, int], int]) -> None:
-    """Of every scheme, any member standing, rows outside: no letter on another, no caption on a line."""
+    """Of every scheme, any member standing, rows outside where it has any: no letter on another, no caption on a line."""
     draw = random.Random("letters")
     heavy, captions = ("main", "rod", "joint"), {line for lines in CAPTIONS for line in lines}
 
@@ -114,7 +119,13 @@ def test_letters_of_random_trains_stand_clear(many: Callable[[int, int], int]) -
     while done < many(140, 14):
         scheme = [*SCHEMES][done % len(SCHEMES)]
         driving, fixed = draw.sample(SCHEMES[scheme].members, 2)
-        teeth, satellites = oracle.random_teeth(draw, scheme), (draw.randint(1, 4),)
+        if SCHEMES[scheme].bevel:
+            z1, *rims = (draw.randint(14, 40) for _ in range(3))
+            double = (z1, *rims, z1 + rims[1])
+            teeth = double if scheme == "bevel-double" else (z1, rims[0], z1)
+        else:
+            teeth = oracle.random_teeth(draw, scheme)
+        satellites = (draw.randint(1, 4),)
         order = PlanetaryTask(
             scheme, 0.005, 100.0, driving, fixed, teeth=teeth, satellites=satellites
         )
