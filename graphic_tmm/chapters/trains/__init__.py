@@ -26,7 +26,8 @@ Tooth numbers that are sought have to meet more than the ratio, all in whole num
 satellites all alike the train goes together evenly only where (z₁ + z₃)/k is whole; of two rows z₁·z₃ ± z₂·z₄
 over k and the common divisor of the satellite's rims; neighbourhood, 2·a_w·sin(180°/k) is more than a
 satellite's tip diameter. No wheel may be undercut, no ring foul its satellites. Of all trains that pass, the
-smallest comes first. Given teeth are drawn as they are, and the conditions that they break are told.
+smallest comes first. Given teeth are drawn as they are, and the conditions that they break are told. One wide
+satellite, z₂ = z₃, meshes with outer wheels that differ by some teeth, the last cut with a shift (Ferguson).
 
 Picture of linear velocities: at the level of every point on the line of centres its velocity is laid off;
 the points of one body end in a straight line through the level where it stands. The satellite has three, A in

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.formula import formula
 from graphic_tmm.board.operations.formulas import pitch_radius
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
@@ -15,13 +16,14 @@ from graphic_tmm.chapters.trains import words as why
 from graphic_tmm.chapters.trains.bevel_formulas import draw_mean_radius
 from graphic_tmm.chapters.trains.motion import Motion, motion_of
 from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme, Train
-from graphic_tmm.chapters.trains.tooth_conditions import has_least_ring
+from graphic_tmm.chapters.trains.tooth_conditions import has_least_ring, in_two_rows, shifted
+from graphic_tmm.language.said import said
 
 
 class Condition(NamedTuple):
     """A condition as calculated: its name, what stands left and right of its relation (Number).
 
-    ``relation``: "=", ">", "≥", "≤", or "whole" (then ``right`` is None).
+    ``relation``: "=", "≠" (broken), ">", "≥", "≤", or "whole" (then ``right`` is None).
     """
 
     name: str
@@ -46,6 +48,17 @@ class Dimensions:
     axes: Mark
     ratio: Mark | None
     conditions: tuple[Condition, ...]
+
+
+@formula(
+    holds="{own} ≠ 0",
+    fails="the wheels have no distance",
+    why=said(
+        "Cut with a shift the wheels mesh at another distance of axes; the circles that roll grow as it does."
+    ),
+)
+def working_radius(radius: Number, axes: Number, own: Number) -> Number:
+    """{radius}·{axes}/{own}"""
 
 
 def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensions:
@@ -79,6 +92,12 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
         for letter, mesh in zip(("a_w", "a′_w", "a″_w"), scheme.meshes, strict=False)
     )
     ratio = _ratio(draft, motion, scheme, z) if motion.fixed and again else None
+    alike = "="
+    if scheme.rows == 2 and shifted(order, scheme, in_two_rows(scheme, train.teeth)).all():
+        alike = "≠"
+        for wheel in scheme.meshes[-1][:2]:
+            own = (radii[wheel], axes, again[0])
+            radii[wheel] = draft.draw(working_radius, f"r_{{w{wheel}}}", *own, unit="m")
     ha = draft.take(Number, "h_{a}^{*}", order.ha)
     tips = {
         rim: draft.draw(t.tip_diameter, f"d_{{a{rim}}}", module, z[rim], ha, unit="m")
@@ -86,7 +105,7 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
     }
     conditions = (
         *_wanted(draft, order, ratio),
-        *(Condition("coaxial", axes, "=", other) for other in again),
+        *(Condition("coaxial", axes, alike, other) for other in again),
         *_neighbours(draft, train, axes, k, tips),
         *_assembly(draft, scheme, z, k),
         *_undercut(draft, order, scheme, z),

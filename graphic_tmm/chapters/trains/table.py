@@ -259,8 +259,8 @@ class _Log:
             value = self.value(condition.left)
             word = "whole" if value == round(value) else "not whole"
             return (f"{left} – {WORDS[self.language][word]}",)
-        if condition.relation == "=":
-            return left, f"{self.calculated(right)} = {condition.left.name}"
+        if condition.relation in ("=", "≠"):
+            return left, f"{self.calculated(right)} {condition.relation} {condition.left.name}"
         holds, broken = RELATIONS[condition.relation]
         there = condition.relation if holds(*map(self.value, (condition.left, right))) else broken
         return (f"{left} {there} {right.name} = {self.figure(right)}",)

@@ -14,12 +14,16 @@ from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.trains import formulas as f
 from graphic_tmm.chapters.trains.motion import Motion, motion_of
-from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme
+from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme, module_ratio
 
 Whole = NDArray[np.int64]
 Truths = NDArray[np.bool_]
 SLACK = 1e-12
 """A ratio that misses its tolerance by less than this share of itself is within it: it is rounding."""
+
+
+STEEP = 30.0
+"""The largest pressure angle of a wheel cut with a shift, degrees: beyond it teeth come to a point."""
 
 
 class Teeth(NamedTuple):
@@ -112,6 +116,19 @@ def coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Truths:
     """Return whether both rows have one distance of axes."""
     first, second = z.z1 + scheme.first * z.z2, z.z4 + scheme.second * z.z3
     return np.asarray((first * q.denominator == second * q.numerator) & (first > 0))
+
+
+def shifted(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Truths:
+    """Return whether one wide satellite meshes with both wheels, the last one cut with a shift (Ferguson).
+
+    Both rims are alike, and α_w of the last mesh, cos α_w = cos α·(z4 + z3)/(z1 + z2), is from 0 to `STEEP`.
+    """
+    if scheme.rows == 1 or scheme.bevel or scheme.first < 0 or scheme.second < 0:
+        return np.zeros(z.z1.shape, dtype=np.bool_)
+    cosine = math.cos(math.radians(order.alpha)) * (z.z4 + z.z3) / (z.z1 + z.z2)
+    fine = (cosine <= 1.0) & (cosine >= math.cos(math.radians(STEEP)))
+    alike = (z.z2 == z.z3) & (z.z1 != z.z4) & (module_ratio(order) == 1)
+    return np.asarray(fine & alike)
 
 
 def neighbours(scheme: Scheme, z: Teeth, k: Any, q: Fraction, ha: float) -> Truths:

@@ -142,7 +142,9 @@ def _checked(order: PlanetaryTask, scheme: Scheme) -> Train:
         for k in order.satellites
     }
     best = min(broken, key=lambda k: len(broken[k]))
-    none = [one.text for one in broken[best] if one.condition == "coaxial" or one.stands]
+    none = [
+        one.text for one in broken[best] if (one.condition, one.of) == ("coaxial", "") or one.stands
+    ]
     if none:
         says = joined(" ", (", ".join(map(str, teeth)), joined("; ", none)))
         raise StructureError(says, "planetary.teeth", head="planetary")

@@ -67,7 +67,7 @@ def check(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
             found += [*_axis_of_satellites(pair, z), _assembly(pair, train.satellites, z)]
             continue
         if not (single and c.coaxial(pair, z, q)):
-            found.append(_coaxial(pair, z, q))
+            found.append(_coaxial(order, pair, z, q))
         if pair == scheme.pairs[-1]:
             found.append(_neighbours(order, Train(pair, (), train.satellites), z, q))
         if not single:
@@ -128,7 +128,7 @@ def _ratio(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
     return (Verdict("ratio", "", holds, found, text),)
 
 
-def _coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Verdict:
+def _coaxial(order: PlanetaryTask, scheme: Scheme, z: Teeth, q: Fraction) -> Verdict:
     (z1,), (z2,), (z3,), (z4,) = z
     first, second = z1 + scheme.first * z2, float(q) * (z4 + scheme.second * z3)
     signs = ["+" if sense > 0 else "−" for sense in (scheme.first, scheme.second)]
@@ -139,6 +139,11 @@ def _coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Verdict:
     fault = (
         said(" is another distance of the axes") if first > 0 else said(": no distance of the axes")
     )
+    wheel = scheme.meshes[-1].wheel if _said(c.shifted(order, scheme, z)) else ""
+    if wheel:
+        fault = said(
+            ": wheel {wheel} is cut with a shift, the satellite meshes with both", wheel=wheel
+        )
     text = said(
         "coaxial: {first} = {distance}, {second} = {other}{fault}",
         first=sides[0],
@@ -147,7 +152,7 @@ def _coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Verdict:
         other=_whole(second),
         fault="" if holds else fault,
     )
-    return Verdict("coaxial", "", holds, float(second), text)
+    return Verdict("coaxial", wheel, holds, float(second), text)
 
 
 def _axis_of_satellites(scheme: Scheme, z: Teeth) -> Iterator[Verdict]:

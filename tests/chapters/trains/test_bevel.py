@@ -19,6 +19,7 @@ from graphic_tmm.board.execute import execute
 from graphic_tmm.chapters.trains.motion import motion_of
 from graphic_tmm.chapters.trains.plan import draw_planetary
 from graphic_tmm.chapters.trains.task import SCHEMES, PlanetaryTask
+from graphic_tmm.chapters.trains.torques import draw_torques
 from graphic_tmm.errors import StructureError
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.table import columns_of, results_of
@@ -175,6 +176,29 @@ def test_wheels_that_turn_alike_do_not_turn_the_satellite() -> None:
     values, _, _ = measured(order)
     assert values["H"] == pytest.approx(0.0, abs=1e-9)
     assert values["2"] == pytest.approx(abs(values["2H"])) == pytest.approx(50.0)
+
+
+@pytest.mark.parametrize("scheme", BEVEL)
+def test_torques_balance_and_keep_the_power(scheme: str) -> None:
+    """Without losses all power that is put in comes out."""
+    draw = random.Random(scheme + " torques")
+    for _ in range(12):
+        z1, z2, z3 = (draw.randint(12, 40) for _ in range(3))
+        teeth = (z1, z2, z1) if scheme == "bevel" else (z1, z2, z3, draw.randint(12, 40))
+        first, fixed = draw.sample(SCHEMES[scheme].members, 2)
+        order = PlanetaryTask(scheme, 0.004, 50.0, first, fixed, teeth=teeth, moment=20.0)
+        due = rolled(scheme, teeth, {first: 50.0, fixed: 0.0})
+        driven = motion_of(order).driven
+        draft = Draft()
+        made = draw_planetary(draft, order)
+        _, marks, share = draw_torques(draft, made)
+        assert share is not None
+        reading = execute(draft.board.construction(), draft.given)
+        torques = {name: reading[mark].item() for name, mark in marks.items()}
+        assert sum(torques.values()) == pytest.approx(0.0, abs=1e-9)
+        assert torques[first] == 20.0
+        assert torques[driven] * due[driven] == pytest.approx(-20.0 * 50.0, rel=1e-6)
+        assert reading[share].item() == pytest.approx(1.0, rel=1e-6)
 
 
 HEAD = 'title = "T"\nlanguage = "en"\n'
