@@ -49,7 +49,8 @@ UP, FULL = 90.0, 360.0
 
 def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     """Yield the train; what drives it turns as its speed says."""
-    if (made := PLANETARY_PLAN.of(drawn)) is None:
+    made = PLANETARY_PLAN.of(drawn)
+    if made is None or made.train.scheme.bevel:  # bevel wheels are seen from the side, where none turns
         return
     language = drawn.scene.language
     on = subject(drawn, captions(language)["planetary"], "planetary")
@@ -82,7 +83,7 @@ def member_rates(made: Planetary, z: Mapping[str, int]) -> dict[str, float] | No
     scheme, motion = made.train.scheme, made.motion
     names = [*(mesh.wheel for mesh in scheme.meshes), "2", "H"]
     matrix, right = np.zeros((len(names), len(names))), np.zeros(len(names))
-    for k, (wheel, rim, sense) in enumerate(scheme.meshes):
+    for k, (wheel, rim, sense, _) in enumerate(scheme.meshes):
         for name, of in ((wheel, z[wheel]), ("2", sense * z[rim])):
             matrix[k, names.index(name)] += of
             matrix[k, names.index("H")] -= of
@@ -112,7 +113,7 @@ class _Train:
 
     def _fit(self, mesh: Mesh) -> None:
         """Let the teeth of a wheel and of its rims meet, those of the first satellite at any rate."""
-        wheel, rim, sense = mesh
+        wheel, rim, sense, _ = mesh
         toward = [way + (FULL / 2 if sense > 0 else 0.0) for way in self.ways]
         share = sense * self.teeth[wheel] / self.teeth[rim]
         if rim in self.starts:

@@ -81,7 +81,7 @@ def test_wheels_in_mesh_roll(tmp_path: Path, train: str) -> None:
     scheme, text = CASES[train]
     found = list(wheels(picture(tmp_path, text)))
     meshes = 0
-    for wheel, rim, sense in SCHEMES[scheme].meshes:
+    for wheel, rim, sense, _ in SCHEMES[scheme].meshes:
         (central,) = (one for one in found if one.name == wheel)
         carried = [one for one in found if one.name == rim]
         assert carried
