@@ -220,8 +220,13 @@ class Stage:
 
 
 def levels(phases: Sequence[Stage]) -> list[float]:
-    """Return how high the follower stands above its lowest place before each phase, and behind the last."""
-    found = list(accumulate((one.lift for one in phases), initial=0.0))
+    """Return how high the follower stands above its lowest place before each phase, and behind the last.
+
+    Places that a turn may be open by, see `refuse_phases`, are one.
+    """
+    found, near = list[float](), SAME * sum(abs(one.lift) for one in phases)
+    for high in accumulate((one.lift for one in phases), initial=0.0):
+        found.append(next((one for one in found if abs(one - high) <= near), high))
     return [round(high - min(found), 12) for high in found]
 
 

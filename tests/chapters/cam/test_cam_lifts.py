@@ -194,6 +194,27 @@ def test_a_turn_may_begin_anywhere() -> None:
     np.testing.assert_allclose(other.reading[same].knots, turned, atol=1e-6)
 
 
+def test_strokes_that_differ_by_less_than_is_read_make_a_turn() -> None:
+    """30 mm up and 20 nm less down; the lowest place is come to twice, once by strokes with a rounding."""
+    law, low = Law("sine"), 0.02999998
+    once = [
+        Stage(rise=100.0, stroke=0.03, law=law),
+        Stage(fall=100.0, stroke=low, law=law),
+        Stage(dwell=160.0),
+    ]
+    short = [Stage(rise=50.0, stroke=0.03, law=law), Stage(fall=50.0, stroke=low, law=law)]
+    again = [Stage(rise=50.0, stroke=0.03, law=law), Stage(fall=50.0, stroke=0.03, law=law)]
+    for phases in (once, [*short, *again, Stage(dwell=160.0)], [*again, *short, once[2]]):
+        found = made(cam_of(phases))
+        assert found.cam.diagrams.turn.lowest is found.cam.diagrams.turn.phases[-1]
+        low_, high = (
+            found.reading[circle].radius[0, 0] * found.one(found.cam.profile.mu)
+            for circle in (found.cam.profile.theoretical.lower, found.cam.profile.theoretical.upper)
+        )
+        assert low_ == pytest.approx(found.one(found.cam.r0), abs=1e-7)
+        assert high == pytest.approx(low_ + 0.03, abs=1e-7)
+
+
 @pytest.mark.parametrize(
     ("phases", "says"),
     [
