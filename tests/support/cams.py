@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import takewhile
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -180,7 +181,8 @@ def outline(made_: Made, contour: Contour, *, fine: int = 96) -> np.ndarray:
     t = np.linspace(0.0, 1.0, fine, endpoint=False)[:, None]
     parts: list[np.ndarray] = []
     rows = zip(contour.curves, cam.diagrams.stretches, strict=True)
-    moving = [one for one in stages(cam.order) if one.law is not None]
+    every = stages(cam.order)
+    moving = [k for k, one in enumerate(every) if one.law is not None]
     for mark, (phase, _, last) in rows:
         (controls,) = bezier(reading[mark])
         a, b, c, d = controls[0:-1:3], controls[1::3], controls[2::3], controls[3::3]
@@ -188,10 +190,9 @@ def outline(made_: Made, contour: Contour, *, fine: int = 96) -> np.ndarray:
         parts.append(spots.T.ravel())
         if last != phase.last:
             continue
-        own = cam.diagrams.turn.phases.index(phase)
-        after = moving[(own + 1) % len(moving)]
-        dwell = (after.start - moving[own].start - moving[own].extent) % 360.0
-        if 1e-6 < dwell < 360.0 - 1e-6:
+        own = moving[cam.diagrams.turn.phases.index(phase)] + 1
+        behind = takewhile(lambda one: one.law is None, [*every[own:], *every])
+        if dwell := sum(one.extent for one in behind):
             told = next(
                 f.marks for f in made_.log.figures if mark in f.marks and f.kind == "contour"
             )

@@ -25,6 +25,7 @@ from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.cam.task_motion import (
     BY_DIAGRAM,
     BY_TABLE,
+    SAME,
     SHARED,
     TURN,
     Law,
@@ -130,7 +131,8 @@ class Turn(NamedTuple):
     def rest(self, phase: Phase) -> float:
         """How long the follower rests behind a phase, degrees."""
         after = self.phases[(self.phases.index(phase) + 1) % len(self.phases)]
-        return (after.start - phase.start - phase.extent) % TURN
+        gap = (after.start - phase.start - phase.extent) % TURN
+        return gap if SAME < gap < TURN - SAME else 0.0
 
     @property
     def lowest(self) -> Phase:

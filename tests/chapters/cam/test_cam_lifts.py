@@ -185,6 +185,24 @@ def test_positions_and_extremes_of_two_lifts() -> None:
     np.testing.assert_allclose(told, [alpha.max(), alpha.min()], atol=0.02)
 
 
+def test_angles_to_a_tenth_of_a_degree_leave_no_dwell() -> None:
+    """Their sums differ from angles by roundings, of either sign: none of them is a dwell, or a whole turn."""
+    rng, law = np.random.default_rng(37), Law("sine")
+    for _ in range(200):
+        tenths = rng.integers(300, 900, 3) / 10.0
+        angles = [*map(float, tenths), round(float(360.0 - tenths.sum()), 1)]
+        ways = zip(("rise", "fall") * 2, angles, (0.02, 0.01, 0.01, 0.02), strict=True)
+        phases = [Stage(**{way: x, "stroke": h, "law": law}) for way, x, h in ways]
+        turn = divide(cam_of(phases))
+        assert [turn.rest(phase) for phase in turn.phases] == [0.0] * 4, angles
+    angles = (69.1, 77.3, 35.6, 98.0)
+    ways = zip(("rise", "fall") * 2, angles, (0.02, 0.02, 0.01, 0.01), strict=True)
+    phases = [Stage(**{way: x, "stroke": h, "law": law}) for way, x, h in ways]
+    turn = divide(cam_of([*phases, Stage(dwell=80.0)]))
+    assert turn.lowest.number == 4
+    assert turn.rest(turn.lowest) == pytest.approx(80.0)
+
+
 def test_a_turn_may_begin_anywhere() -> None:
     """Begun with the dwell above, the same cam has the same least radius, and its profile turned."""
     one, other = (made(cam_of(rows)) for rows in (TWO, [*TWO[1:], TWO[0]]))
