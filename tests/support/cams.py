@@ -291,6 +291,7 @@ def swung(made_: Made, degrees: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     a, d, sense = follower.centres, follower.face, cam.sense
     rocks = sense if follower.same_sense else -sense
     pivot = made_.reading[cam.profile.feet][0, 0]
+    pivot *= np.exp(1j * sense * np.radians(cam.diagrams.turn.angles[0]))  # where the turn begins
     pivot *= a / abs(pivot)
     points = outline(made_, cam.profile.working)
     start = np.arcsin((made_.one(cam.r0) + d) / a)

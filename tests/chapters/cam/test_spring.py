@@ -8,7 +8,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.cams import C6, SHAPES, Made, made, motion, pressure_angles, swung
+from support.cam_springs import closing, values, within
+from support.cams import C6, SHAPES, made, motion, pressure_angles, swung
 from support.scenes import written
 
 from graphic_tmm.board.bounds import TaskError
@@ -49,28 +50,6 @@ def order_of(name: str, spring: SpringTask | None = None, **other: object) -> Ca
     return CamTask(
         **{**data, "follower": follower, "pressure": 40.0, "speed": 40.0, "spring": own, **other}
     )
-
-
-def closing(of: Made, degrees: np.ndarray) -> np.ndarray:
-    """What presses cam and follower together, N or N·m, from the law and the numbers of the spring."""
-    order = of.cam.order
-    S, _, A = motion(order, degrees)
-    spring = of.one(of.cam.spring.preload) + of.one(of.cam.spring.rate) * S
-    return spring + order.spring.load + order.spring.inertia * order.speed**2 * A
-
-
-def values(of: Made, diagram: object) -> np.ndarray:
-    """The ordinates of a diagram over the turn by stretch and position, in its unit."""
-    rows = [of.reading[mark][0] for mark in diagram.chart.ordinates]
-    return np.array(rows) * of.one(diagram.chart.mu)
-
-
-def within(of: Made) -> np.ndarray:
-    """The positions inside stretches: there the acceleration has one value."""
-    rows = np.zeros((len(of.cam.diagrams.stretches), of.cam.diagrams.turn.positions), bool)
-    for row, (_, first, last) in zip(rows, of.cam.diagrams.stretches, strict=True):
-        row[first + 1 : last] = True
-    return rows
 
 
 @pytest.mark.parametrize("turns", ["clockwise", "counterclockwise"])
