@@ -38,6 +38,8 @@ from graphic_tmm.chapters.cam.turn import TurnDiagram, draw_values
 
 VIEW = "cam spring"
 INERTIA, CONTACT, MOMENT = "cam inertia", "cam contact force", "cam moment"
+ROOM = 80.0
+"""Room for the largest force on the line of the spring, mm: twice that of a diagram, for its rate is read."""
 
 
 class Contact(NamedTuple):
@@ -54,14 +56,13 @@ class Contact(NamedTuple):
 
 @dataclass(frozen=True)
 class Spring:
-    """The spring as drawn: the scale of forces, F_0 and c (Number), points wanted by stretch with their curves.
+    """The spring as drawn: its chart, F_0 and c (Number), points wanted by stretch with their curves.
 
-    ``origin`` and ``up``: the axes; ``line``: of the spring, from ``pole`` where it was sought, through
-    ``ends`` over S = 0 and the stroke; ``force`` of it, and by stretch what it has over the wanted one ``left``
-    (Number).
+    ``line``: of the spring, from ``pole`` where it was sought, through ``ends`` over S = 0 and the stroke;
+    ``force`` of it, and by stretch what it has over the wanted one ``left`` (Number).
     """
 
-    mu: Mark
+    chart: Chart
     preload: Mark
     rate: Mark
     points: tuple[Mark, ...]
@@ -82,8 +83,8 @@ class Spring:
 
     @property
     def charts(self) -> tuple[Chart, ...]:
-        """The charts of the diagrams over the turn."""
-        return tuple(diagram.chart for diagram in self.diagrams)
+        """The charts of its line and of the diagrams over the turn."""
+        return (self.chart, *(diagram.chart for diagram in self.diagrams))
 
 
 def draw_spring(
@@ -103,7 +104,8 @@ def draw_spring(
     inertia = draw_values(draft, diagrams, INERTIA, "P", unit, forces)
     load = draft.take(Number, "Q", of.load, unit) if of.load else None
     draft.open(VIEW)
-    draft.lay_out(None, inertia.chart.mu)
+    mu = draft.scale("μ_F", f"{unit}/mm")
+    draft.lay_out()
     axes = _Axes(draft, diagrams)
     reserve = draft.take(Number, "k", of.reserve)
     wanted = []
@@ -112,9 +114,10 @@ def draw_spring(
         wanted.append(
             need if load is None else draft.draw(f.less_load, "P_Q", need, load, unit=unit)
         )
-    points, curves = axes.curves(wanted)
+    heights, points, curves = axes.curves(wanted)
     found = _given if of.rate is not None else _sought
-    preload, rate, pole, line, ends = found(draft, of, diagrams, axes, curves, unit)
+    preload, rate, pole, line, ends, over = found(draft, of, diagrams, axes, curves, unit)
+    chart = Chart(VIEW, "F", unit, mu, (*heights, *over), True, None, ROOM)
     force = draft.draw(f.follower_spring, "F", preload, rate, diagrams.S.reading, unit=unit)
     left = [draft.draw(f.over_wanted, "ΔF", force, need, unit=unit) for need in wanted]
     pressing = force if load is None else draft.draw(f.pressed, "F_Q", force, load, unit=unit)
@@ -128,7 +131,7 @@ def draw_spring(
     moments = [draft.draw(f.shaft_moment, "M", one, arm, unit="N·m") for one in normal]
     moment = draw_values(draft, diagrams, MOMENT, "M", "N·m", moments)
     return Spring(
-        inertia.chart.mu, preload, rate, points, curves, pole, line, ends, force, tuple(left),
+        chart, preload, rate, points, curves, pole, line, ends, force, tuple(left),
         inertia, contact, moment,
     )  # fmt: skip
 
@@ -147,23 +150,23 @@ class _Axes:
         self.far = draft.draw(lay_off, "H", self.along, width)
         self.over = draft.draw(square, "(H)", self.far, self.along, sense=1)
 
-    def curves(self, wanted: list[Mark]) -> tuple[tuple[Mark, ...], tuple[Mark, ...]]:
-        """Mark the wanted forces of every stretch over S, and draw their curves."""
-        points, curves = [], []
+    def curves(self, wanted: list[Mark]) -> tuple[list[Mark], tuple[Mark, ...], tuple[Mark, ...]]:
+        """Mark the wanted forces of every stretch over S, and draw their curves; return their heights, too."""
+        heights, points, curves = [], [], []
         for need, (_, first, last) in zip(wanted, self.diagrams.stretches, strict=True):
-            high = self.draft.draw(to_board, "y", need)
+            heights.append(self.draft.draw(to_board, "y", need))
             points.append(
-                self.draft.draw(lay_off, "P", self.lines, high, free=True, why=why.WANTED)
+                self.draft.draw(lay_off, "P", self.lines, heights[-1], free=True, why=why.WANTED)
             )
             letter = f"({points[-1].letter}–{points[-1].letter})"
             curves.append(
                 self.draft.draw(smooth_stretch, letter, points[-1], first=first, last=last)
             )
-        return tuple(points), tuple(curves)
+        return heights, tuple(points), tuple(curves)
 
 
-_Line = tuple[Mark, Mark, Mark | None, Mark, tuple[Mark, Mark]]
-"""F_0, c, the pole if there is one, the line and its ends."""
+_Line = tuple[Mark, Mark, Mark | None, Mark, tuple[Mark, Mark], list[Mark]]
+"""F_0, c, the pole if there is one, the line and its ends, how high these stand (Length)."""
 
 
 def _given(
@@ -178,11 +181,15 @@ def _given(
     preload = draft.take(Number, "F_0", of.preload, unit)
     rate = draft.take(Number, "c", of.rate, _rate_unit(unit))
     most = draft.draw(f.greatest_force, "F_h", preload, rate, diagrams.stroke, unit=unit)
+    heights = [
+        draft.draw(to_board, "y_0", preload),
+        draft.draw(to_board, "y_h", most),
+    ]
     ends = (
-        draft.draw(lay_off, "A_0", axes.up, draft.draw(to_board, "y_0", preload)),
-        draft.draw(lay_off, "A_h", axes.over, draft.draw(to_board, "y_h", most)),
+        draft.draw(lay_off, "A_0", axes.up, heights[0]),
+        draft.draw(lay_off, "A_h", axes.over, heights[1]),
     )
-    return preload, rate, None, draft.draw(join, "(c)", *ends), ends
+    return preload, rate, None, draft.draw(join, "(c)", *ends), ends, heights
 
 
 def _sought(
@@ -206,14 +213,14 @@ def _sought(
         top = own if top is None else draft.draw(steeper_of_two, "T", pole, top, own, free=True)
     assert top is not None
     line = draft.draw(join, "(c)", pole, top, why=why.SPRING_LINE)
-    ends, sizes = [], []
+    ends, heights, sizes = [], [], []
     for index, over, foot in (("0", axes.up, axes.origin), ("h", axes.over, axes.far)):
         ends.append(draft.draw(meet, f"A_{index}", over, line))
-        high = draft.draw(measure_along, f"y_{index}", foot, ends[-1], over)
-        force = draft.draw(in_si, f"A_{index}", high, unit=unit, free=True)
+        heights.append(draft.draw(measure_along, f"y_{index}", foot, ends[-1], over))
+        force = draft.draw(in_si, f"A_{index}", heights[-1], unit=unit, free=True)
         sizes.append(draft.draw(f.pushing, f"F_{index}", force, unit=unit))
     rate = draft.draw(f.rate_of_spring, "c", *sizes[::-1], diagrams.stroke, unit=_rate_unit(unit))
-    return sizes[0], rate, pole, line, (ends[0], ends[1])
+    return sizes[0], rate, pole, line, (ends[0], ends[1]), heights
 
 
 def _rate_unit(unit: str) -> str:

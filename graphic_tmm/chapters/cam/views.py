@@ -124,7 +124,7 @@ def _spring(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
         "F_{h}",
     )
     on = subject(drawn, captions(language)["cam spring"], PLAN)
-    force = Scale("μ_{F}", drawn.value(spring.mu), f"{size}/mm")
+    force = Scale("μ_{F}", drawn.value(spring.chart.mu), f"{size}/mm")
     scales = ", ".join(mu_text(one, language) for one in (force, scale))
     lines = (scales, f"{has('F_{0}', spring.preload)}, {has('c', spring.rate)}")
     known = (spring.preload, spring.rate)

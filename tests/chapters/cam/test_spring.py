@@ -18,6 +18,8 @@ from graphic_tmm.chapters.cam.findings import FORCE, cam_findings
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.kinds_spring import SpringTask
 from graphic_tmm.chapters.cam.operations import steepest_ray
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
+from graphic_tmm.chapters.cam.spring import ROOM
 from graphic_tmm.chapters.cam.task import (
     CamTask,
     FlatFollower,
@@ -28,6 +30,7 @@ from graphic_tmm.chapters.cam.task import (
 )
 from graphic_tmm.errors import SceneError
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import composed_sheets
 
 DENSE = np.arange(3600) * 0.1
 FOLLOWERS: dict[str, Follower] = {
@@ -204,6 +207,41 @@ def test_the_steepest_ray_touches_the_curve() -> None:
         arcs = p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n)))
         slopes = np.angle(arcs - start[0, 0])
         assert np.angle(spot - start[0, 0]) == pytest.approx(slopes.max(), abs=1e-6)
+
+
+SLOW = """title = "T"
+language = "en"
+[cam]
+stroke = "20 mm"
+rise = 100
+upper_dwell = 20
+fall = 100
+speed = "60 rpm"
+mass = "1 kg"
+{}
+[[sheet]]
+format = "A1"
+place = ["cam"]
+"""
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        'rate = "5 kN/m"\npreload = "100 N"',
+        'load = "100 N"',
+        'follower = "knife edge"\nload = "5 kN"',
+    ],
+)
+def test_a_spring_many_times_the_inertia_force_goes_on_the_sheet(tmp_path: Path, keys: str) -> None:
+    """A slow cam: the forces on the line of the spring have a scale factor of their own."""
+    scene, composed = composed_sheets(read(written(tmp_path, SLOW.format(keys))))
+    (drawn,) = scene.boards
+    chart = CAM_PLAN.on(drawn).spring.chart
+    high = max(float(np.nanmax(np.abs(drawn.reading[mark]))) for mark in chart.ordinates)
+    assert 0.4 * ROOM < high <= ROOM
+    shown = {view for sheet in composed.sheets for one in sheet.drawings for view in one.shows}
+    assert chart.view in shown
 
 
 def test_a_program_that_gives_no_speed_is_refused() -> None:
