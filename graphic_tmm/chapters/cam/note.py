@@ -197,7 +197,7 @@ class CamPage(Page[Cam]):
         for diagram in (spring.contact, spring.moment):
             for extreme in diagram.extremes:
                 yield from self.worked_out(extreme.angle, extreme.value)
-        yield from self.leads(self.figures("cam-spring"))
+        yield from self.leads(self.figures("cam-spring", "cam-spring-line"))
 
     def _checks(self) -> Iterator[Block]:
         beside = BESIDE.on(self.drawn)

@@ -33,6 +33,8 @@ HIGH, WHOLE = 40.0, 240.0
 """The largest ordinate of the acceleration diagram, and the turn on the one that was read, mm."""
 EVEN = 1e-6
 """Areas of an acceleration diagram that differ by less than this share of themselves are equal."""
+LEADS = 10.0
+"""By so many strokes a spring is compressed in the lowest place at most: beyond, its line is all but level."""
 SLACK = 1e-9
 """Shares of a phase that differ by less are the same."""
 
@@ -211,6 +213,10 @@ def _refuse_choices(order: CamTask) -> None:
         _bounded("reserve", order.spring.reserve)
         if order.speed is None:
             raise TaskError("cam", "speed", NO_SPEED)
+        lead = order.spring.lead
+        if lead is not None and not 0.0 < lead <= LEADS * order.stroke:
+            says = said("it is greater than 0, and {most:g} strokes at most", most=LEADS)
+            raise TaskError("cam", "lead", says)
     for name in ("pressure", "pressure_return", "share_of_r0", "share_of_curvature"):
         value = getattr(order, name)
         if value is not None:

@@ -99,9 +99,13 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
         forces = made.spring is not None and view in {one.view for one in made.spring.charts}
         stack = third if forces else second
         (first if view in ("cam S", "cam dS", "cam ddS") else stack).append(shown)
-    if made.spring is not None:
-        third.append(_spring(drawn, made, names, lettered))
     stacks = {"cam-diagrams": first, "cam-limits": second, "cam-spring": third}
+    if made.spring is not None:
+        # a lead of one's own may make it far wider than what it would stand below
+        apart = made.order.spring is not None and made.order.spring.lead is not None
+        stacks.setdefault("cam-spring-line" if apart else "cam-spring", []).append(
+            _spring(drawn, made, names, lettered)
+        )
     return [stacked(name, views) for name, views in stacks.items() if views]
 
 

@@ -28,7 +28,7 @@ from graphic_tmm.chapters.cam.task import (
     RockerFollower,
     RollerFollower,
 )
-from graphic_tmm.errors import SceneError
+from graphic_tmm.errors import SceneError, TmmError
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import composed_sheets
 
@@ -244,6 +244,14 @@ def test_a_spring_many_times_the_inertia_force_goes_on_the_sheet(tmp_path: Path,
     assert chart.view in shown
 
 
+def test_a_long_lead_makes_nothing_else_wide(tmp_path: Path) -> None:
+    """The line of the spring does not fit on A3; the diagrams beside it do, so it alone is what is too wide."""
+    text = SLOW.format('lead = "200 mm"').replace("A1", "A3")
+    with pytest.raises(TmmError, match="the view 'Line of the spring"):
+        composed_sheets(read(written(tmp_path, text)))
+    composed_sheets(read(written(tmp_path, text.replace("A3", "A1"))))
+
+
 def test_a_program_that_gives_no_speed_is_refused() -> None:
     with pytest.raises(TaskError, match="300 rpm"):
         made(order_of("flat", speed=None))
@@ -272,6 +280,8 @@ ROD, LEVER = (
             + 'mass = "1 kg"\nspeed = "60 rpm"\nrate = "1 kN/m"\npreload = "9 N"\nlead = "9 mm"\n',
             "lead",
         ),
+        (ROD + 'mass = "1 kg"\nspeed = "60 rpm"\nlead = "0 mm"\n', "lead"),
+        (ROD + 'mass = "1 kg"\nspeed = "60 rpm"\nlead = "2 m"\n', "lead"),
     ],
 )
 def test_what_contradicts_itself_names_its_key(tmp_path: Path, text: str, key: str) -> None:
