@@ -182,7 +182,7 @@ def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
     sizes = (1000.0 * value_at(cam.r0), 1000.0 * value_at(cam.least))
     follower, spring = cam.order.follower, _spring(reading, cam, value_at, sizes)
     if isinstance(follower, FlatFollower | FlatRockerFollower):
-        return (*_hollow(cam, follower.least, value_at, sizes), *spring)
+        return (*_hollow(cam, follower, value_at, sizes), *spring)
     return (
         *_pressure(reading, cam, value_at, sizes),
         *_sharp(cam, value_at, sizes),
@@ -211,14 +211,21 @@ def _spring(
 
 
 def _hollow(
-    cam: Cam, allowed: float, one: Callable[[Mark], float], sizes: tuple[float, float]
+    cam: Cam,
+    face: FlatFollower | FlatRockerFollower,
+    one: Callable[[Mark], float],
+    sizes: tuple[float, float],
 ) -> tuple[CamFinding, ...]:
+    """A profile too sharp under the face: a larger r0 helps as far as the pivot leaves room for one."""
     (flattest,) = cam.curvature.extremes
-    rho, least = 1000.0 * one(flattest.value), 1000.0 * allowed
-    if rho >= least - RULER * sizes[0]:
+    rho, limit, (r0, least) = 1000.0 * one(flattest.value), 1000.0 * face.least, sizes
+    if rho >= limit - RULER * r0:
         return ()
-    kind = "hollow" if sizes[0] < sizes[1] else "hollow lever"
-    return (CamFinding(kind, one(flattest.angle), rho, least, *sizes),)
+    if r0 >= least:  # it was drawn too small, through too few positions
+        least = r0 + 1.0
+    room = 1000.0 * (face.centres - face.face) if isinstance(face, FlatRockerFollower) else np.inf
+    kind = "hollow" if least < room else "hollow lever"
+    return (CamFinding(kind, one(flattest.angle), rho, limit, r0, least),)
 
 
 def _sharp(

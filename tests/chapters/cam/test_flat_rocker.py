@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
@@ -136,18 +137,13 @@ def random_order(draw: random.Random) -> CamTask:
 @pytest.mark.parametrize("seed", range(10))
 def test_random_levers_are_moved_by_their_profiles(seed: int) -> None:
     """Ten a seed. Half a thin line: near a jump of the acceleration the smooth curve is of a lower order."""
-    draw, right = random.Random(f"flat rocker {seed}"), 0
-    while right < 10:
+    draw = random.Random(f"flat rocker {seed}")
+    for _ in range(10):
         order = random_order(draw)
-        try:
-            of = made(order)
-        except StructureError:
-            continue
-        if cam_findings(of.reading, of.cam) or np.isnan(of.one(of.cam.r0)):
-            continue
+        of = made(order)
+        assert not cam_findings(of.reading, of.cam), order
         assert polygon(outline(of, of.cam.profile.working)).is_valid
         assert off(of) < THIN / 2, order
-        right += 1
 
 
 def test_a_radius_too_small_is_a_finding_with_the_least_one() -> None:
@@ -160,6 +156,21 @@ def test_a_radius_too_small_is_a_finding_with_the_least_one() -> None:
     worst = dense[np.argmin(radii_under_face(order, 0.045, dense))]
     assert hollow.angle == pytest.approx(worst, abs=4.0)  # half a part of the return
     assert "take 55." in hollow.says("en")
+
+
+def test_where_the_least_radius_was_drawn_too_small_a_larger_one_is_the_remedy() -> None:
+    """12 parts draw it 0.13 mm too small: between both a larger r0 helps; where no centre is left none does."""
+    follower, laws = FlatRockerFollower(0.11, 0.0, 0.004), (Law("cosine"), Law("3-4-5"))
+    angles = {"rise": 80.0, "upper_dwell": 20.0, "fall": 78.0, "lower_dwell": 182.0}
+    order = CamTask(0.2, **angles, rise_law=laws[0], return_law=laws[1], follower=follower)
+    due = least_under_face(order)
+    of = made(replace(order, r0=due - 1e-4))
+    assert of.one(of.cam.least) < of.one(of.cam.r0)
+    (hollow,) = cam_findings(of.reading, of.cam)
+    assert hollow.kind == "hollow"
+    assert due < hollow.least / 1000.0 < due + 2e-3
+    of = made(replace(order, r0=0.1095, follower=replace(follower, least=0.1)))
+    assert "hollow lever" in {one.kind for one in cam_findings(of.reading, of.cam)}
 
 
 def test_a_lever_that_swings_back_as_fast_as_the_cam_turns_has_no_contact_there() -> None:
