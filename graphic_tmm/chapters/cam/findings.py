@@ -62,6 +62,10 @@ _WORDS = {
         "the radius of curvature under the flat face falls to {value:.4g} mm at φ = {angle:.4g}°, "
         "{limit:.4g} mm are the least: r0 = {r0:.4g} mm is too small, take {least:.4g} mm at least"
     ),
+    "foot": said(
+        "the contact passes the foot of the pivot on the face: at φ = {angle:.4g}° it stands at x = "
+        "{value:.4g} mm, and no force there holds the lever: increase the distance of the centres"
+    ),
     "lift-off": said(
         "the follower lifts off the cam at φ = {angle:.4g}°, where the force of contact falls to "
         "{value:.4g} N: take a spring of a larger preload or rate, or turn the cam slower"
@@ -182,7 +186,8 @@ def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
     sizes = (1000.0 * value_at(cam.r0), 1000.0 * value_at(cam.least))
     follower, spring = cam.order.follower, _spring(reading, cam, value_at, sizes)
     if isinstance(follower, FlatFollower | FlatRockerFollower):
-        return (*_hollow(cam, follower, value_at, sizes), *spring)
+        foot = _foot(cam, value_at, sizes)
+        return (*_hollow(cam, follower, value_at, sizes), *(foot or spring))
     return (
         *_pressure(reading, cam, value_at, sizes),
         *_sharp(cam, value_at, sizes),
@@ -226,6 +231,18 @@ def _hollow(
     room = 1000.0 * (face.centres - face.face) if isinstance(face, FlatRockerFollower) else np.inf
     kind = "hollow" if least < room else "hollow lever"
     return (CamFinding(kind, one(flattest.angle), rho, limit, r0, least),)
+
+
+def _foot(
+    cam: Cam, one: Callable[[Mark], float], sizes: tuple[float, float]
+) -> tuple[CamFinding, ...]:
+    """A contact that passes the foot of the pivot: no force there turns the lever the way it is to go."""
+    if cam.contact is None:
+        return ()
+    _, nearest = cam.contact.extremes
+    if not one(nearest.value) <= 0.0:
+        return ()
+    return (CamFinding("foot", one(nearest.angle), 1000.0 * one(nearest.value), 0.0, *sizes),)
 
 
 def _sharp(

@@ -83,7 +83,8 @@ def by_roller_lever(moment: Number, lever: Length, mu: Number, angle: Angle) -> 
 
 
 @formula(
-    fails="the contact stands at the foot of the pivot",
+    holds="{distance} > 0",
+    fails="the contact stands at the foot of the pivot or beyond",
     why=said("The contact's force is square to the face: its arm is the distance from the foot."),
 )
 def on_face(moment: Number, distance: Length, mu: Number) -> Number:

@@ -126,6 +126,27 @@ def test_the_lead_and_a_load_change_the_spring_as_they_should() -> None:
     assert not cam_findings(held.reading, held.cam)
 
 
+def test_a_contact_at_the_foot_of_the_pivot_is_a_finding_and_no_force() -> None:
+    """In the lowest place the lever stands at asin 58/60 = 75.2°, in the highest beyond 90°."""
+    follower = FlatRockerFollower(0.06, 0.0, 0.004)
+    order = replace(order_of("flat rocker"), follower=follower, stroke=np.radians(20.0), r0=0.058)
+    of = made(order)
+    (foot,) = [one for one in cam_findings(of.reading, of.cam) if one.kind != "hollow lever"]
+    assert foot.kind == "foot"
+    angles = np.array(of.cam.diagrams.turn.angles)
+    place = of.reading[of.cam.contact.chart.ordinates[0]][0] * of.one(of.cam.contact.chart.mu)
+    inside, gone = within(of), place <= 0.0
+    assert gone[inside[0]].any()
+    assert foot.value == pytest.approx(1000.0 * place.min(), abs=0.05)
+    assert foot.angle == pytest.approx(angles[np.argmin(place)], abs=8.0)
+    force = values(of, of.cam.spring.contact)
+    for row, own in zip(force, inside, strict=True):
+        assert np.isnan(row[own & gone]).all()
+        assert (row[own & ~gone] > 0.0).all()
+    bare = made(replace(order, spring=None, speed=None))
+    assert foot in cam_findings(bare.reading, bare.cam)
+
+
 def test_a_cam_without_a_mass_records_nothing_of_a_spring() -> None:
     order = order_of("central")
     with_, without = made(order), made(replace(order, spring=None))
