@@ -17,9 +17,11 @@ from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.operations import (
     divide_semicircle,
     extreme_of_two,
+    in_turn,
     phase_end,
     slant,
     steeper_of_two,
+    steepest_ray,
 )
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.paper.drawing import Ink, Wanted, arc, circle, line
@@ -31,10 +33,10 @@ from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 TRACELESS = frozenset(
-    {phase_end.name, extreme_of_two.name, slant.name, "in_turn", steeper_of_two.name}
+    one.name for one in (phase_end, extreme_of_two, slant, in_turn, steepest_ray, steeper_of_two)
 )
-"""Operations that leave no trace: points that are there already under another letter, angles measured with the
-protractor."""
+"""Operations that leave no trace: what is there already under another letter, angles measured with the
+protractor, rays to which the ruler is laid."""
 POINT = 0.4
 """Radius of a point, mm."""
 

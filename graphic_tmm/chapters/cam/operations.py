@@ -176,19 +176,20 @@ PASSES = 12
     fails=WHOLE_ROW,
     why=said("The ray that is steepest touches the curve: all of it lies below."),
 )
-def steepest_ray(start: Point, curve: Curve) -> Point:
-    """Turn the ruler about {start} until it touches the curve {curve} from above; mark the contact {it}."""
+def steepest_ray(start: Point, curve: Curve) -> Line:
+    """Turn the ruler about {start} until it touches the curve {curve} from above; draw the ray {it}."""
     way = np.ones((curve.knots.shape[0], 1), dtype=np.complex128)
     for _ in range(PASSES):
         spot = _farthest(curve, 1j * way)
         way = (spot - start[:, :1]) / np.abs(spot - start[:, :1])
-    return Point(spot)
+    return Line(np.broadcast_to(start[:, :1], way.shape), way)
 
 
 @operation(symbol=FREE, why=said("The spring has to hold everywhere: the steeper ray rules."))
-def steeper_of_two(start: Point, first: Point, second: Point) -> Point:
-    """Seen from {start}, of {first} and {second} keep the one on the steeper ray, {it}."""
-    return Point(np.where(wedge(first - start, second - start) > 0.0, second, first))
+def steeper_of_two(first: Line, second: Line) -> Line:
+    """Of the rays {first} and {second} keep the steeper one, {it}."""
+    steeper = wedge(first.along, second.along) > 0.0
+    return Line(first.at, np.where(steeper, second.along, first.along))
 
 
 @operation(symbol=FREE, why=said("Both bounds have to hold: the outer one rules."))
@@ -228,7 +229,7 @@ def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
 
     ``above``: 1 for the higher, −1 for the lower. Of two that are as high but for rounding it is the first.
     """
-    even = EVEN * np.fmax(np.abs(first.imag), np.abs(second.imag))
+    even = EVEN * np.fmax(np.abs(first), np.abs(second))
     there = np.isfinite(first) & np.isfinite(second)
     found = np.where(above * (second - first).imag > even, second, first)
     return Point(np.where(there, found, np.nan))

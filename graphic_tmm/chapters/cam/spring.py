@@ -101,7 +101,7 @@ def draw_spring(
         draft.draw(f.follower_inertia, "P", mass, omega, second, unit=unit)
         for second in diagrams.A.readings
     ]
-    inertia = draw_values(draft, diagrams, INERTIA, "P", unit, forces)
+    inertia = draw_values(draft, diagrams, INERTIA, "P", unit, forces, sought=())
     load = draft.take(Number, "Q", of.load, unit) if of.load else None
     draft.open(VIEW)
     mu = draft.scale("μ_F", f"{unit}/mm")
@@ -207,12 +207,9 @@ def _sought(
     back = draft.draw(parallel, "(S_0)", axes.origin, axes.along, sense=-1)
     length = draft.draw(to_board, "OK", lead, diagrams.S.chart.mu)
     pole = draft.draw(lay_off, "K", back, length, why=why.POLE)
-    top: Mark | None = None
-    for curve in curves:
-        own = draft.draw(steepest_ray, "T", pole, curve, free=True)
-        top = own if top is None else draft.draw(steeper_of_two, "T", pole, top, own, free=True)
-    assert top is not None
-    line = draft.draw(join, "(c)", pole, top, why=why.SPRING_LINE)
+    line, *others = [draft.draw(steepest_ray, "(t)", pole, curve) for curve in curves]
+    for other in others:
+        line = draft.draw(steeper_of_two, "(c)", line, other, why=why.SPRING_LINE)
     ends, heights, sizes = [], [], []
     for index, over, foot in (("0", axes.up, axes.origin), ("h", axes.over, axes.far)):
         ends.append(draft.draw(meet, f"A_{index}", over, line))

@@ -154,8 +154,9 @@ def draw_values(
     unit: str,
     values: Sequence[Mark],
     rest: Mark | None = None,
+    sought: Sequence[tuple[str, int]] = (("max", 1), ("min", -1)),
 ) -> TurnDiagram:
-    """Draw a quantity over the turn; its extremes are the highest and the lowest.
+    """Draw a quantity over the turn; its extremes are the highest and the lowest, if they are ``sought``.
 
     ``values``: by stretch, ``rest``: of the dwells at all positions (Number); None where it is zero.
     """
@@ -169,7 +170,7 @@ def draw_values(
         level = _level(draft, diagrams, axes, draft.draw(to_board, "y_d", rest))
     _outline(draft, diagrams, axes, points, level)
     extremes = []
-    for name, above in (("max", 1), ("min", -1)):
+    for name, above in sought:
         point, y, angle = _extreme(draft, axes, curves, above)
         value = draft.draw(in_si, f"{letter}_{{{name}}}", y, unit=unit)
         extremes.append(Extreme(point, value, angle))

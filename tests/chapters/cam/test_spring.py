@@ -13,6 +13,7 @@ from support.cams import C6, SHAPES, made, motion, pressure_angles, swung
 from support.scenes import written
 
 from graphic_tmm.board.bounds import TaskError
+from graphic_tmm.board.findings import examine
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.cam.findings import FORCE, cam_findings
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
@@ -222,12 +223,12 @@ def test_the_steepest_ray_touches_the_curve() -> None:
         knots = (x + 1j * rng.uniform(-20, 20, 9))[None, :]
         tangents = (np.gradient(x) + 1j * rng.uniform(-9, 9, 9))[None, :]
         start = np.array([[-10.0 + 0j]])
-        spot = steepest_ray.run(start, Curve(knots, tangents, False))[0, 0]
+        (way,) = steepest_ray.run(start, Curve(knots, tangents, False)).along[0]
         t = np.linspace(0, 1, 2000)[:, None]
         p, q, m, n = knots[0, :-1], knots[0, 1:], tangents[0, :-1], tangents[0, 1:]
         arcs = p + t * (m + t * (3 * (q - p) - 2 * m - n + t * (2 * (p - q) + m + n)))
         slopes = np.angle(arcs - start[0, 0])
-        assert np.angle(spot - start[0, 0]) == pytest.approx(slopes.max(), abs=1e-6)
+        assert np.angle(way) == pytest.approx(slopes.max(), abs=1e-6)
 
 
 SLOW = """title = "T"
@@ -271,6 +272,14 @@ def test_a_long_lead_makes_nothing_else_wide(tmp_path: Path) -> None:
     with pytest.raises(TmmError, match="the view 'Line of the spring"):
         composed_sheets(read(written(tmp_path, text)))
     composed_sheets(read(written(tmp_path, text.replace("A3", "A1"))))
+
+
+@pytest.mark.parametrize("law", ["constant acceleration", "constant velocity"])
+def test_a_level_force_is_in_no_doubt(law: str) -> None:
+    """All points of a level stretch are the highest, and on the axis all stand on one ray from the pole."""
+    of = made(order_of("central", rise_law=Law(law), return_law=Law(law)))
+    told = examine(of.log, of.given, [step.it for step in of.log.steps])
+    assert [(one.kind, one.step.op.name) for one in told if one.kind == "doubtful"] == []
 
 
 def test_a_program_that_gives_no_speed_is_refused() -> None:
