@@ -22,7 +22,7 @@ class Bare(float):
 
 def sliding(value: object, along: Dimension, turning: Dimension) -> float:
     """Read a quantity of what slides, where its unit says so, as `Metres`; else one of what turns."""
-    if isinstance(value, str) and quantities.is_a(value, along):
+    if quantities.is_a(value, along):
         return Metres(quantities.parse(value, along))
     number = quantities.parse(value, turning)
     return number if isinstance(value, str) else Bare(number)

@@ -287,9 +287,11 @@ def _unknown_unit(text: str, rest: str, dimension: Dimension) -> Said:
     return joined("; ", filter(None, hints))
 
 
-def is_a(text: str, dimension: Dimension) -> bool:
-    """Whether a text is a number with a unit of a dimension."""
-    match = _QUANTITY.fullmatch(spoken(text)) if len(text) <= 200 else None
+def is_a(value: object, dimension: Dimension) -> bool:
+    """Whether a value is a text, a number with a unit of a dimension."""
+    if not isinstance(value, str) or len(value) > 200:
+        return False
+    match = _QUANTITY.fullmatch(spoken(value))
     unit = UNITS.get(plain_unit(match[2])) if match else None
     return unit is not None and unit.dimension == dimension
 

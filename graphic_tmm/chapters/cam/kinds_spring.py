@@ -46,24 +46,12 @@ def _either(rod: Dimension, lever: Dimension) -> Kind:
     """Return the kind of a quantity of a rod, or of a lever: not negative, its dimension by its unit."""
 
     def read(value: object, names: Names) -> float:
-        for dimension in (rod, lever):
-            if fits(value, dimension):
-                size = quantities.parse(value, dimension)
-                if size < 0.0:
-                    raise ValueError(said("it is not negative"))
-                return size
-        return quantities.parse(value, rod)
+        size = quantities.parse(value, lever if quantities.is_a(value, lever) else rod)
+        if size < 0.0:
+            raise ValueError(said("it is not negative"))
+        return size
 
     return Kind(read, v.quantity_schema(rod), unit=f"{rod}, or {lever}")
-
-
-def fits(value: object, dimension: Dimension) -> bool:
-    """Whether a value is a quantity of a dimension."""
-    try:
-        quantities.parse(value, dimension)
-    except ValueError:
-        return False
-    return True
 
 
 _LEAD, _FORCE = _either("length", "angle"), _either("force", "moment")
@@ -116,7 +104,7 @@ def flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
         if not given:
             says = said("it belongs to the spring, which needs {own} of the follower", own=own)
             yield Flaw(("cam", name), says)
-        elif isinstance(written[name], str) and not fits(written[name], dimension):
+        elif isinstance(written[name], str) and not quantities.is_a(written[name], dimension):
             example = _EXAMPLES[dimension]
             says = said('for this follower write, for example, "{example}"', example=example)
             yield Flaw(("cam", name), says)

@@ -44,7 +44,7 @@ class Phase(NamedTuple):
     ``motion``: what is asked of it, ``law``: its law as drawn; ``first`` and ``last`` of its positions.
     ``breaks``: the positions inside it at which its stretches meet, where the acceleration jumps or has a
     corner. ``changed``: how the diagram of its law was changed for that, and so that its areas are equal.
-    ``ends``: how high the follower stands before and behind it (m, or rad). ``lone``: there is one rise only.
+    ``ends``: how high the follower stands before and behind it (m, or rad). ``lone``: of the usual cam.
     """
 
     number: int

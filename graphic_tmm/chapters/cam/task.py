@@ -40,7 +40,6 @@ from graphic_tmm.chapters.cam.task_motion import (
     TABLE,
     Law,
     Stage,
-    is_angle_scale,
     law_of,
     levels,
     stroke_faults,
@@ -48,6 +47,7 @@ from graphic_tmm.chapters.cam.task_motion import (
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Flaw, Names, Said, Section, combined_key, key, keys_of
+from graphic_tmm.scene.quantities import is_a
 from graphic_tmm.scene.tables import DeclaredTable, Several
 from graphic_tmm.scene.tasks import SectionKey
 
@@ -115,7 +115,7 @@ def _pressure(said: Said) -> float:
 
 def _scale(value: object, names: Names) -> float:
     """Return what 1 mm of a diagram stands for, in m or, of a rocking follower, in rad."""
-    return float((MU_ANGLE if is_angle_scale(value) else v.MU_L).read(value, names))
+    return float((MU_ANGLE if is_a(value, "scale of angles") else v.MU_L).read(value, names))
 
 
 MU_ANGLE = v.mu("scale of angles")
@@ -310,7 +310,8 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
         says = said("pressure says the same; leave one of them out")
         yield Flaw(("cam", "transmission"), says)
     for name in ("mu_dS", "mu_ddS"):
-        if name in told and isinstance(told[name], str) and rocks != is_angle_scale(told[name]):
+        written = told.get(name)
+        if isinstance(written, str) and rocks != is_a(written, "scale of angles"):
             says = said(
                 'it is told in {unit} here: write, for example, "{example}"', **_UNITS[rocks]
             )

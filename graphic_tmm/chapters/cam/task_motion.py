@@ -16,7 +16,6 @@ from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Flaw, Key, Kind, Names, Path, Said, combined_key, key
 from graphic_tmm.scene.misfits import fault_in_list, stands
 from graphic_tmm.scene.tables import missing_key
-from graphic_tmm.scene.units import Dimension
 
 TURN, SAME = 360.0, 1e-6
 """A turn, degrees; angles (degrees), and strokes by a share of themselves, that differ by less are the same."""
@@ -81,23 +80,9 @@ class Law:
 
 def _stroke(value: object, names: Names) -> float:
     """Return a stroke in m, or in rad for a rocking follower."""
-    if is_angle(value):
+    if quantities.is_a(value, "angle"):
         return math.radians(quantities.parse(value, "angle"))
     return quantities.parse(value, "length")
-
-
-def is_angle(value: object, dimension: Dimension = "angle") -> bool:
-    """Whether a stroke, or a scale factor, is written as one of angles."""
-    try:
-        quantities.parse(value, dimension)
-    except ValueError:
-        return False
-    return isinstance(value, str)
-
-
-def is_angle_scale(value: object) -> bool:
-    """Whether a scale factor is written as one of angles."""
-    return is_angle(value, "scale of angles")
 
 
 def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
@@ -246,7 +231,7 @@ def stroke_faults(
     strokes: dict[Path, Any] = {("cam",): told}
     strokes |= {("cam", "phase", k): one for k, one in enumerate(told.get("phase", ()))}
     for path, one in strokes.items():
-        if "stroke" in one and rocks != is_angle(one["stroke"]):
+        if "stroke" in one and rocks != quantities.is_a(one["stroke"], "angle"):
             wants = (
                 said('a rocker swings through an angle; write "20 deg"')
                 if rocks
