@@ -85,7 +85,8 @@ def left_out(found: Sequence[Finding], project: Project, language: str) -> Itera
         some = [one for one in found if one.positions == places]
         told = []
         for plan in dict.fromkeys(one.step.it.view for one in some):
-            letters = ", ".join(_letters_of(one) for one in some if one.step.it.view == plan)
+            own = dict.fromkeys(_letters_of(one) for one in some if one.step.it.view == plan)
+            letters = ", ".join(own)
             told.append(f"{_in_sentence(project, plan, language)} {letters}")
         yield _(
             "rounding leaves no digit that is sure, left out are: {figures}; positions {places}",
@@ -96,7 +97,7 @@ def left_out(found: Sequence[Finding], project: Project, language: str) -> Itera
 
 def _letters_of(found: Finding) -> str:
     """Return the letters that are left out, each once, however often it is primed."""
-    return ", ".join(dict.fromkeys(plain(mark.letter).rstrip("′") for mark in found.marks))
+    return ", ".join(dict.fromkeys(plain(mark.name).rstrip("′") for mark in found.marks))
 
 
 SILENT = ("touching", "lost")

@@ -10,12 +10,14 @@ from support.command import invoke
 from support.gallery import ALL, PLANS, drawn, made
 
 from graphic_tmm.board.execute import Reading, execute
-from graphic_tmm.board.operations.instruments import homologous, similar
+from graphic_tmm.board.findings import Finding
+from graphic_tmm.board.operations.instruments import homologous, join, similar
 from graphic_tmm.board.record import Board, Construction
 from graphic_tmm.board.values import Point
 from graphic_tmm.fitting.choice import choices
 from graphic_tmm.language.catalogue import SOURCE, speaking
 from graphic_tmm.readers.equations import Term, equations
+from graphic_tmm.readers.findings import why_of
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.readers.sentences import calculation, reason
 
@@ -103,3 +105,14 @@ def logs(name: str) -> Iterator[tuple[Construction, Reading]]:
     lengths = synthesis(made(name).scene)
     if lengths is not None:
         yield lengths.construction, execute(lengths.construction, lengths.given)
+
+
+def test_letters_that_several_marks_have_are_told_once_and_plain() -> None:
+    board = Board()
+    board.open("plan")
+    line = board.draw(join, "(e)", *(board.take(Point, letter) for letter in "ab"))
+    other = board.draw(join, "(e)", *(board.take(Point, letter) for letter in "cd"))
+    assert line.letter != other.letter
+    (step, _) = board.construction().steps
+    lost = Finding("lost", step, 1, (0,), 0.0, marks=(line, other))
+    assert why_of(lost, speaking(SOURCE)).endswith("left out: (e)")
