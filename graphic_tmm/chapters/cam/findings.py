@@ -106,6 +106,7 @@ _CHANGED = {
     ),
 }
 """By phase: of a jump that was moved, of areas that were made equal."""
+_OF_PHASE = said("phase {number}: {says}")
 
 
 def changes(cam: Cam, language: str) -> Iterator[str]:
@@ -113,12 +114,14 @@ def changes(cam: Cam, language: str) -> Iterator[str]:
     _ = speaking(language)
     for phase in cam.diagrams.turn.phases:
         jump, areas = _CHANGED[phase.name]
+        factor, told = phase.changed.factor, list[str]()
         for share, place in phase.changed.moved:
             if abs(place - share) > SLACK:
-                yield _(jump, share=share, place=place)
-        factor = phase.changed.factor
+                told.append(_(jump, share=share, place=place))
         if factor != 1.0:
-            yield _(areas, percent=100.0 * abs(factor - 1.0), factor=factor)
+            told.append(_(areas, percent=100.0 * abs(factor - 1.0), factor=factor))
+        for says in told:
+            yield says if phase.lone else _(_OF_PHASE, number=phase.number, says=says)
 
 
 _TABLE = {

@@ -143,7 +143,7 @@ def refuse(order: CamTask) -> None:
         Which says what to change, and by which key of a scene.
     """
     if order.phases:
-        refuse_phases(order.phases)
+        refuse_phases(order.phases, rocks=order.rocks)
     else:
         _refuse_turn(order)
     _refuse_sizes(order)

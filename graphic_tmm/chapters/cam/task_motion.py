@@ -240,7 +240,7 @@ def stroke_faults(
             yield Flaw((*path, "stroke"), wants)
 
 
-def refuse_phases(phases: Sequence[Stage]) -> None:
+def refuse_phases(phases: Sequence[Stage], *, rocks: bool) -> None:
     """Refuse phases that are none, do not make a turn, or do not come back to where they began.
 
     Raises
@@ -274,8 +274,15 @@ def refuse_phases(phases: Sequence[Stage]) -> None:
         raise TaskError("cam", "phase", said("the follower rises nowhere: write a phase with rise"))
     if abs(rises - falls) > SAME * max(rises, falls):
         says = said(
-            "over a turn the follower rises by {rises:g} and falls by {falls:g}: it has to come back to where "
-            "it began, so change a stroke by {rest:g}",
-            rises=rises, falls=falls, rest=abs(rises - falls),
+            "over a turn the follower rises by {rises} and falls by {falls}: it has to come back to where "
+            "it began, so change a stroke by {rest}",
+            rises=_size(rises, rocks), falls=_size(falls, rocks), rest=_size(abs(rises - falls), rocks),
         )  # fmt: skip
         raise TaskError("cam", "phase", says)
+
+
+def _size(stroke: float, rocks: bool) -> str:
+    """Return a stroke with its unit."""
+    if rocks:
+        return said("{angle:g}°", angle=math.degrees(stroke))
+    return said("{length:g} mm", length=1000.0 * stroke)

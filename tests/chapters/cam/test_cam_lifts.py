@@ -294,7 +294,7 @@ def test_phases_take_what_they_do_not_say_from_the_cam(tmp_path: Path) -> None:
         ("return_law = 'sine'", "", "", "cam.return_law: the phases of"),
         ("", '"5 mm"', '"5 deg"', "moves along its guide"),
         ("", "dwell = 90", "dwell = 80", "lengthen them by 10°"),
-        ("", '"5 mm"', '"6 mm"', "change a stroke by 0.001"),
+        ("", '"5 mm"', '"6 mm"', "rises by 20 mm and falls by 21 mm: it has to come back to where it began, so change a stroke by 1 mm"),
         ("", 'stroke = "5 mm", ', "", "phase 4 needs a stroke"),
         ("", "shares = [1, 2]", "law = 'sine', shares = [1, 2]", "only the law of constant"),
         ("", "[1, 2]", "[1, 0]", "write the shares of speeding up"),

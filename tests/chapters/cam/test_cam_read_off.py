@@ -98,6 +98,8 @@ def test_a_diagram_read_off_paper_is_drawn_with_its_jump_at_a_position_and_even_
     assert "0.3333" in told[0]
     assert f"{brake:.5g}" in told[1]
     assert not list(changes(made(CamTask(**C6)).cam, "en"))
+    by_phases = replace(order, phases=tuple(one for one in order.stages if one.angle))
+    assert list(changes(made(by_phases).cam, "en")) == [f"phase 1: {one}" for one in told]
 
 
 def test_three_points_of_one_share_are_the_jump_from_the_first_to_the_last() -> None:
