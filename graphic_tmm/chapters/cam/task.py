@@ -38,6 +38,7 @@ from graphic_tmm.chapters.cam.task_motion import (
     SHARES,
     STROKE,
     TABLE,
+    UNSAID,
     Law,
     Stage,
     law_of,
@@ -81,9 +82,15 @@ def _rise_law(said: Said) -> Law:
 
 def _phases(said: Said) -> tuple[Stage, ...]:
     """Return the phases, with what the cam says where they say nothing."""
-    usual = {"stroke": said.stroke, "law": _rise_law(said)}
+    usual = _rise_law(said)
+
+    def law(own: Law | None) -> Law:
+        if own is None or own == Law(usual.name, shares=UNSAID):
+            return usual
+        return replace(own, shares=EVEN_SHARES) if own.shares == UNSAID else own
+
     return tuple(
-        replace(one, **{k: getattr(one, k) or own for k, own in usual.items() if one.sign})
+        replace(one, stroke=one.stroke or said.stroke, law=law(one.law)) if one.sign else one
         for one in said.phase
     )
 

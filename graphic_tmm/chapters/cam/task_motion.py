@@ -21,6 +21,8 @@ TURN, SAME = 360.0, 1e-6
 """A turn, degrees; angles (degrees), and strokes by a share of themselves, that differ by less are the same."""
 SHARED, EVEN_SHARES = "constant acceleration", (1.0, 1.0)
 """The law whose shares of speeding up and of slowing down may be told; these, if they are not."""
+UNSAID = (0.0, 0.0)
+"""Shares of a phase that has none of its own: those of the cam, if it has its law, else even ones."""
 BY_DIAGRAM = "diagram"
 """The law that is given by points of its acceleration diagram."""
 BY_TABLE = "table"
@@ -157,7 +159,7 @@ def _own_law(said: Said) -> Law | None:
     name = said.law or (BY_DIAGRAM if said.law_points else SHARED if said.shares else None)
     if said.law_table:
         return law_of(said.law_table)
-    return None if name is None else Law(name, said.law_points or (), said.shares or EVEN_SHARES)
+    return None if name is None else Law(name, said.law_points or (), said.shares or UNSAID)
 
 
 @dataclass(frozen=True)

@@ -287,6 +287,27 @@ def test_phases_take_what_they_do_not_say_from_the_cam(tmp_path: Path) -> None:
     assert [one.angle for one in of.stages] == [80.0, 40.0, 90.0, 60.0, 90.0]
 
 
+def test_a_phase_of_the_law_of_the_cam_has_its_shares_and_points(tmp_path: Path) -> None:
+    """A phase that says nothing more than the law; shares that it says itself are its own, even ones too."""
+    path, text = tmp_path / "scene.toml", SCENE.replace('"uniform"', '"{law}"')
+    for law, more in (("constant acceleration", "shares = [2, 1]"), ("diagram", POINTS)):
+        path.write_text(text.format(keys=f'law = "{law}"\n{more}', law=law))
+        of = ASKED.of(read(path))
+        assert of is not None
+        first, again, own = (one.law for one in of.phases if one.law is not None)
+        assert first == again
+        assert first != Law(law)
+        assert own == Law("constant acceleration", shares=(1.0, 2.0))
+    shared = text.replace("[1, 2]", "[1, 1]")
+    path.write_text(
+        shared.format(keys='law = "constant acceleration"\nshares = [2, 1]', law="sine")
+    )
+    assert ASKED.of(read(path)).phases[3].law == Law("constant acceleration")
+
+
+POINTS = "law_points = [[0, 1], [0.5, 1], [0.5, -1], [1, -1]]"
+
+
 @pytest.mark.parametrize(
     ("keys", "old", "new", "says"),
     [
@@ -294,7 +315,7 @@ def test_phases_take_what_they_do_not_say_from_the_cam(tmp_path: Path) -> None:
         ("return_law = 'sine'", "", "", "cam.return_law: the phases of"),
         ("", '"5 mm"', '"5 deg"', "moves along its guide"),
         ("", "dwell = 90", "dwell = 80", "lengthen them by 10°"),
-        ("", '"5 mm"', '"6 mm"', "rises by 20 mm and falls by 21 mm: it has to come back to where it began, so change a stroke by 1 mm"),
+        ("", '"5 mm"', '"6 mm"', "change a stroke by 1 mm"),
         ("", 'stroke = "5 mm", ', "", "phase 4 needs a stroke"),
         ("", "shares = [1, 2]", "law = 'sine', shares = [1, 2]", "only the law of constant"),
         ("", "[1, 2]", "[1, 0]", "write the shares of speeding up"),
