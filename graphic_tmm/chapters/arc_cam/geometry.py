@@ -78,11 +78,11 @@ def lie(order: ArcTask) -> Lie:
         nose + (order.nose + reach) * ways[2],
         (order.base + reach) * ways[3],
     )
-    angles = tuple(
-        _angle(order, centre, normal) for centre, normal in zip(centres, ways, strict=True)
-    )
-    _refuse_order(order, angles, centres)
-    first, second, third, last = angles
+    angles = [_angle(order, *one) for one in zip(centres, ways, strict=True)]
+    _refuse_turning_back(order, angles)
+    _refuse_turning_back(order, [angles[0], *_along(order, centres)])
+    # past a whole turn it goes on: a lever may begin its work late in one
+    first, second, third, last = (one + TURN * (one < angles[0] - SAME) for one in angles)
     return Lie((first, second, third, last))
 
 
@@ -99,8 +99,7 @@ def _round(order: ArcTask) -> Lie:
     begin = _angle(order, lowest, 1j)
     if not order.flat:
         spots = centre + (lowest - centre) * np.exp(2j * np.pi * np.linspace(0.0, 1.0, 2 * PROBES))
-        turned = [(_angle(order, complex(z), 1j) - begin) % TURN for z in spots[1:-1]]
-        _refuse_turning_back(order, [0.0, *turned, TURN])
+        _refuse_turning_back(order, [_angle(order, complex(z), 1j) for z in spots[:-1]])
     return Lie((begin, begin, begin + TURN, begin + TURN))
 
 
@@ -250,15 +249,9 @@ def _refuse_follower(order: ArcTask) -> None:
         raise TaskError(at, "centres", says)
 
 
-def _refuse_order(order: ArcTask, angles: tuple[float, ...], centres: tuple[complex, ...]) -> None:
-    """Refuse a follower that does not go from arc to arc in their order, or turns back on one of them."""
-    _refuse_turning_back(order, (0.0, *angles, TURN))
-    _refuse_turning_back(order, _along(order, centres))
-
-
 def _refuse_turning_back(order: ArcTask, run: Sequence[float]) -> None:
-    """Refuse a follower whose angles (degrees), met in turn, do not grow."""
-    if any(b < a - SAME for a, b in pairwise(run)):
+    """Refuse a follower whose angles (degrees), met in turn, do not grow within a turn from the first."""
+    if any(b < a - SAME for a, b in pairwise((one - run[0] + SAME) % TURN for one in run)):
         says = said(
             "the follower does not stay on the cam all the way round: take a smaller offset, a longer "
             "lever or another roller"

@@ -49,6 +49,20 @@ def test_the_follower_stands_where_it_touches_the_contour(kind: str, flank: str)
     assert due.max() > 0.3 * (order.distance + order.nose - order.base) / arm(order)
 
 
+@pytest.mark.parametrize("same_sense", [False, True])
+@pytest.mark.parametrize("centres", [0.062, 0.08, 0.5])
+def test_a_flat_lever_never_leaves_a_convex_cam(centres: float, same_sense: bool) -> None:
+    """Not where it ends its work behind a whole turn from the cam's axis."""
+    flank, size = Flank(0.095), {"centres": centres, "same_sense": same_sense}
+    order = ArcTask(0.012, 0.046, 0.011, flank, flank, follower=FLAT_ROCKER, **size)
+    made, _, reading = drawn(order)
+    begin, lines = made.lie.changes[0], contour(order, FINE)
+    due = np.array([place(order, begin + angle, lines) for angle in made.angles]) - lowest(order)
+    found = np.radians(reading[made.follower.travel][0])
+    assert np.abs(found - due).max() < near(order)
+    assert 0.0 < made.lie.work < 360.0
+
+
 def _mu(made, reading) -> float:  # type: ignore[no-untyped-def]
     return float(reading[made.contour.mu][0, 0])
 
