@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.bounds import Bound
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import joined, said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
@@ -217,10 +217,13 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     for i, name in enumerate(cam.accelerations):
         if name not in named and not (name.isdigit() and int(name) <= cam.parts):
             says = said(
-                "there is no position {name}; the row goes from 0 to {last}, I and II are the changes of arcs",
+                "there is no position {name}; the row goes from {first} to {last}",
                 name=name,
+                first=0,
                 last=cam.parts,
             )
+            if not _eccentric(cam):
+                says = joined(", ", (says, said("I and II are the changes of arcs")))
             yield Flaw((at, "accelerations", i), says)
 
 

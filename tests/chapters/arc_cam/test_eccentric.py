@@ -178,5 +178,6 @@ def test_its_task_shows_radius_and_eccentricity() -> None:
 def test_what_does_not_go_together_is_refused_by_its_key(
     keys: str, named: str, tmp_path: Path
 ) -> None:
-    with pytest.raises(SceneError, match=rf"arc_cam\W+{named}"):
+    with pytest.raises(SceneError, match=rf"arc_cam\W+{named}") as found:
         graphic_tmm.draw(scene(tmp_path, keys))
+    assert "changes of arcs" not in str(found.value)
