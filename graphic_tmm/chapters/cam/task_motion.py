@@ -286,5 +286,5 @@ def refuse_phases(phases: Sequence[Stage], *, rocks: bool) -> None:
 def _size(stroke: float, rocks: bool) -> str:
     """Return a stroke with its unit."""
     if rocks:
-        return said("{angle:g}°", angle=math.degrees(stroke))
+        return f"{math.degrees(stroke):g}°"
     return said("{length:g} mm", length=1000.0 * stroke)
