@@ -45,8 +45,8 @@ LAWS = {
     ),
     "table": said(
         "The law is given by a table of displacements; the slopes of chords between its lines are dS/dφ, what "
-        "the slopes of neighbouring chords differ by is d²S/dφ²; beyond its ends the table goes on with even "
-        "third differences."
+        "the slopes of neighbouring chords differ by is d²S/dφ²; where the follower comes to rest it is that "
+        "of the cubic parabola which is level there and goes through the next two lines."
     ),
     "diagram": said(
         "The law is given by its acceleration diagram, which is integrated twice against a pole; the scale "

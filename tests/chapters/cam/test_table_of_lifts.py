@@ -48,13 +48,16 @@ def read_off(of: Made, phase: int) -> list[np.ndarray]:
 
 
 def by_differences(heights: np.ndarray, angle: float) -> list[np.ndarray]:
-    """Differences of a table by numpy: at rest at both ends, where the second ones are led on straight."""
+    """Differences of a table by numpy; at both ends at rest, by a cubic that is level there."""
     step = np.radians(angle) / (len(heights) - 1)
     first = STROKE * np.gradient(heights, step)
     first[[0, -1]] = 0.0
     inner = STROKE * np.convolve(heights, [1.0, -2.0, 1.0], "valid") / step**2
-    led_on = [2.0 * inner[0] - inner[1], *inner, 2.0 * inner[-1] - inner[-2]]
-    return [STROKE * heights, first, np.array(led_on)]
+    ends = [
+        STROKE * np.linalg.solve([[1 / 2, 1 / 6], [2, 8 / 6]], line[1:] - line[0])[0] / step**2
+        for line in (heights[:3], heights[:-4:-1])
+    ]
+    return [STROKE * heights, first, np.array([ends[0], *inner, ends[1]])]
 
 
 def smooth(draw: random.Random, count: int) -> np.ndarray:

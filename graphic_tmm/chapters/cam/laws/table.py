@@ -2,8 +2,9 @@
 
 A position stands at every line of the table. dS/dφ is the slope of the chord between the neighbours of a line,
 d²S/dφ² what the slopes of both chords that meet in it differ by. Where the follower comes to rest dS/dφ is
-zero. Beyond its ends the table goes on with even third differences: d²S/dφ² goes on straight, and a table that
-begins with a velocity has it there.
+zero, and the table goes on beyond its end by the cubic parabola that is level there and goes through the next
+two lines: by chords seen in a mirror the sine law would begin with a shock. A table that begins with a velocity
+goes on with even third differences.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ ROUNDED = 1e-9
 
 
 @dataclass(frozen=True)
-class Table:
+class Displacements:
     """The displacements of a phase, of 1, line by line from its outer end."""
 
     heights: tuple[float, ...]
@@ -50,14 +51,19 @@ class Table:
     def wider(self) -> tuple[float, ...]:
         """The same with a line before the first and one behind the last."""
         y = self.heights
-        before, behind = (4.0 * a - 6.0 * b + 4.0 * c - d for a, b, c, d in (y[:4], y[:-5:-1]))
+        before, behind = (
+            _even_thirds(*line)
+            if speed > SHOCK
+            else 3.0 * line[1] - (line[2] + 3.0 * line[0]) / 2.0
+            for line, speed in zip((y[:4], y[:-5:-1]), self.speeds, strict=True)
+        )
         return (before, *y, behind)
 
     @property
     def speeds(self) -> tuple[float, float]:
         """With which velocities it begins and ends, of h/Φ."""
-        y, half = self.wider, self.steps / 2.0
-        return (y[2] - y[0]) * half, (y[-1] - y[-3]) * half
+        y, half = self.heights, self.steps / 2.0
+        return (y[1] - _even_thirds(*y[:4])) * half, (_even_thirds(*y[:-5:-1]) - y[-2]) * half
 
     @property
     def chords(self) -> tuple[float, ...]:
@@ -81,9 +87,14 @@ class Table:
         return int(np.sum(felt[1:] * felt[:-1] < 0.0))
 
 
-def table_of(points: Sequence[tuple[float, float]]) -> Table:
+def _even_thirds(first: float, second: float, third: float, fourth: float) -> float:
+    """Return the line before four lines, with one third difference."""
+    return 4.0 * first - 6.0 * second + 4.0 * third - fourth
+
+
+def table_of(points: Sequence[tuple[float, float]]) -> Displacements:
     """Return the table of a law that is given so."""
-    return Table(tuple(height for _, height in points))
+    return Displacements(tuple(height for _, height in points))
 
 
 def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mark, ...]:
