@@ -30,6 +30,11 @@ roller's centre draws the theoretical profile; the working profile is its equidi
 radius, which should stay below a share of r0 and of the theoretical profile's least radius of curvature. A
 knife edge draws the working profile itself.
 
+On a drum (`form = "drum"`) the rod goes along the axis: the mean circumference is unrolled, the roller's
+path stands at R·φ and S, its tangent gives tan α = (dS/dφ)/R, so the least R follows from the largest dS/dφ
+(`drum`). A groove, of a drum or of a disc (`groove = true`), has a second flank on the other side of the
+roller; the sharpest bend of the path to either side bounds the roller then.
+
 Where the follower has a mass, inertia P over the turn and a line of the spring over the displacement follow:
 the steepest ray to the wanted force from the pole, as far before the lowest place as the spring is compressed
 there, gives its rate and its preload; force of contact and moment on the shaft are drawn over the turn

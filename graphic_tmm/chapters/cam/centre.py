@@ -130,7 +130,7 @@ def draw_centre(
         draft.draw(smooth_stretch, "(Q–Q)", points, first=first, last=last)
         for _, first, last in diagrams.stretches
     )
-    limits = _limits(draft, order, diagrams, up, curves, sense)
+    limits = draw_limits(draft, order, diagrams, up, curves, sense)
     down, e = _path(draft, lowest, up, offset, sense)
     ends = tuple(
         draft.draw(meet, f"O_{k}", down, limit, why=why.LIMIT_MET)
@@ -165,17 +165,18 @@ def draw_centre(
 
 
 def choose_radius(
-    draft: Draft, order: CamTask, least: Mark, *, face: bool = False
+    draft: Draft, order: CamTask, least: Mark, *, face: bool = False, letter: str = "r_0"
 ) -> tuple[Mark, Mark]:
     """Return the radius r0 chosen, or the least one up to whole millimetres: its value and its length drawn."""
+    drawn = "R_0" if letter == "r_0" else f"{letter}_l"
     if order.r0 is not None:
-        r0 = draft.take(Number, "r_0", order.r0, "m")
+        r0 = draft.take(Number, letter, order.r0, "m")
     else:
         if face:
             smallest = draft.take(Number, "r_1", 0.001, "m")
             least = draft.draw(f.greater_radius, "r", least, smallest, unit="m")
-        r0 = draft.draw(f.whole_mm_above, "r_0", least, unit="m")
-    return r0, draft.draw(to_board, "R_0", r0)
+        r0 = draft.draw(f.whole_mm_above, letter, least, unit="m")
+    return r0, draft.draw(to_board, drawn, r0)
 
 
 def limit_angles(draft: Draft, order: CamTask) -> tuple[Mark, Mark]:
@@ -186,7 +187,7 @@ def limit_angles(draft: Draft, order: CamTask) -> tuple[Mark, Mark]:
     return first, draft.take(Angle, "[α_f]", order.pressure_return, "°")
 
 
-def _limits(
+def draw_limits(
     draft: Draft,
     order: CamTask,
     diagrams: Diagrams,

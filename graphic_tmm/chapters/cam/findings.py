@@ -9,6 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.cam import words_drum
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.laws.table import FEW, SHOCK, table_of
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
@@ -30,6 +31,7 @@ FORCE = 5e-3
 """A force below this share of the largest is less than a ruler tells on its diagram (0.2 mm of 40)."""
 
 _WORDS = {
+    **words_drum.FINDINGS,
     "pressure": said(
         "the pressure angle reaches {value:.4g}° at φ = {angle:.4g}°, {limit:g}° are allowed: r0 = "
         "{r0:.4g} mm is too small, take {least:.4g} mm at least"
@@ -191,12 +193,15 @@ def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
     if isinstance(follower, FlatFollower | FlatRockerFollower):
         foot = _foot(cam, value_at, sizes)
         return (*_hollow(cam, follower, value_at, sizes), *(foot or spring))
-    return (
+    found = (
         *_pressure(reading, cam, value_at, sizes),
         *_sharp(cam, value_at, sizes),
         *_roller(cam, value_at, sizes),
         *spring,
     )
+    if not cam.order.developed:
+        return found
+    return tuple(one._replace(kind=f"drum {one.kind}") for one in found)
 
 
 def _spring(
@@ -271,7 +276,7 @@ def _pressure(
             if gone:
                 place = turn.angles[gone[len(gone) // 2]]
                 found.append(CamFinding("no centre", place, float("nan"), limit, *sizes))
-    kind = "pressure" if sizes[0] < sizes[1] else "path"
+    kind = "pressure" if sizes[0] < sizes[1] or cam.order.developed else "path"
     for extreme, limit, sign in zip(cam.pressure.extremes, limits, (1, -1), strict=True):
         if sign * one(extreme.value) > limit + PROTRACTOR:
             place = one(extreme.angle)

@@ -23,7 +23,7 @@ from graphic_tmm.chapters.cam.ink_rules import (
     whole,
 )
 from graphic_tmm.chapters.cam.plan import Cam
-from graphic_tmm.chapters.cam.profile import THEORETICAL, VIEW, WORKING
+from graphic_tmm.chapters.cam.profile import OUTER, THEORETICAL, VIEW, WORKING
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
@@ -41,6 +41,8 @@ PIN, PIVOT = 1.2, 0.8
 """Radius of the roller's pin, and of the lever's pivot in an inverted place, mm."""
 TURN = 9.0
 """Radius of the arrow of the cam's turning, mm."""
+PENS = {THEORETICAL: "medium", WORKING: "main", OUTER: "main"}
+"""By contour."""
 DWELL = 1e-6
 """What is shorter is no dwell, degrees."""
 
@@ -68,7 +70,7 @@ def inverted(ink: CamInk) -> Iterator[Ink]:
 
 def dwells(ink: CamInk, contour: Figure) -> Iterator[Ink]:
     """The arcs of a contour: each goes on from the end of the curve before it to the beginning of the next."""
-    pen = "medium" if contour.name == THEORETICAL else "main"
+    pen = PENS[contour.name]
     sense = -ink.cam.sense
     for n, mark in enumerate(contour.marks):
         if mark.kind is not Arc:
@@ -162,7 +164,7 @@ ROOMY = 40.0
 class ProfileNames(NamedTuple):
     """What is lettered: positions, the radii r0 and of the roller with their values, the two profiles.
 
-    ``offset``: e with its value.
+    ``offset``: e with its value; of a drum ``length``: 2πR with its value, ``pressure``: α with the largest.
     """
 
     positions: Sequence[str]
@@ -172,6 +174,8 @@ class ProfileNames(NamedTuple):
     working: str
     omega: str = "ω"
     offset: str = "e"
+    length: str = "2πR"
+    pressure: str = "α"
 
 
 def draw_profile_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
@@ -183,7 +187,7 @@ def draw_profile_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
     strokes = [*traces.staying, *inverted(ink)]
     for contour in ink.figures("contour"):
         strokes += dwells(ink, contour)
-    reach = ink.arc(made.working.upper, 0)[1] + CROSS
+    reach = ink.arc((made.outer or made.working).upper, 0)[1] + CROSS
     strokes += [*follower(ink, points), *shaft(made.centre, reach, cam.sense)]
     wanted = [*_letters(ink, names, points), *_dwell_letters(ink, names, points)]
     wanted += phase_letters(ink)
@@ -193,11 +197,11 @@ def draw_profile_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
 
 def _rules(ink: CamInk, points: Complexes) -> dict[Mark, Rule]:
     """What stays of the steps: profiles, the base circle, guides or levers or faces."""
-    made, pens = ink.cam.profile, {THEORETICAL: "medium", WORKING: "main"}
+    made = ink.cam.profile
     rules: dict[Mark, Rule] = {(made.theoretical or made.working).lower: whole}
     for contour in ink.figures("contour"):
         curves = [mark for mark in contour.marks if mark.kind is Curve]
-        rules |= dict.fromkeys(curves, curve(pens[contour.name]))
+        rules |= dict.fromkeys(curves, curve(PENS[contour.name]))
     feet = ink.all(made.feet) if made.feet is not None else np.zeros_like(points)
     if isinstance(ink.cam.path, Lever):
         rules[made.guides] = between(feet, points)

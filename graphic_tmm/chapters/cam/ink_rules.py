@@ -17,6 +17,7 @@ from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.operations import (
     divide_semicircle,
     extreme_of_two,
+    farther_from_axis,
     in_turn,
     phase_end,
     slant,
@@ -33,7 +34,16 @@ from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
 
 TRACELESS = frozenset(
-    one.name for one in (phase_end, extreme_of_two, slant, in_turn, steepest_ray, steeper_of_two)
+    one.name
+    for one in (
+        phase_end,
+        extreme_of_two,
+        farther_from_axis,
+        slant,
+        in_turn,
+        steepest_ray,
+        steeper_of_two,
+    )
 )
 """Operations that leave no trace: what is there already under another letter, angles measured with the
 protractor, rays to which the ruler is laid."""

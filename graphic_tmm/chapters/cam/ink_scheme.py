@@ -128,17 +128,17 @@ def _follower(
         half = abs(complex(ink.all(points)[k]) * turn - at) + FACE
         strokes += body([line("main", at - half, at + half)], "face", [mark, points], k)
         return strokes, [Wanted("B", at, ink.heights.point, 2.0, 1 + 0j, (mark.slot,), k)]
-    more, wanted = _pressure(ink, k, turn, (at, way, radius), names)
+    more, wanted = draw_pressure_angle(ink, k, turn, (at, way, radius), names.pressure)
     letter = Wanted("B", at, ink.heights.point, 2.0, complex(-sense), (points.slot,), k)
     return [*strokes, *more], [letter, *wanted]
 
 
-def _pressure(
+def draw_pressure_angle(
     ink: CamInk,
     k: int,
     turn: complex,
     on: tuple[complex, complex, float],
-    names: SchemeNames,
+    text: str,
 ) -> tuple[list[Ink], list[Wanted]]:
     """The normal n–n through the roller's centre, the way of the follower, the angle between them."""
     at, way, radius = on
@@ -159,7 +159,7 @@ def _pressure(
         middle = at + (radius + ARC) * way * cmath.exp(0.5j * math.radians(by))
         wanted.append(
             Wanted(
-                names.pressure,
+                text,
                 middle,
                 ink.heights.number,
                 1.5,
@@ -174,7 +174,7 @@ def _pressure(
 def _shaft(ink: CamInk) -> Iterator[Ink]:
     """Centre lines, the cam's pivot on the frame, the arrow of its turning."""
     cam = ink.cam
-    reach = ink.arc(cam.profile.working.upper, 0)[1] + ASIDE
+    reach = ink.arc((cam.profile.outer or cam.profile.working).upper, 0)[1] + ASIDE
     if not math.isfinite(reach):
         return
     yield from added([line("centre", -reach * way, reach * way) for way in (1 + 0j, 1j)], "axis")

@@ -12,6 +12,8 @@ from graphic_tmm.scene.declare import Flaw, Said, key
 
 EDGE, FLAT_ROCKER = "knife edge", "flat rocker"
 """The follower without a roller; the lever with a flat face."""
+DISC, DRUM = "disc", "drum"
+"""Forms of a cam."""
 ROCKING = ("rocker", FLAT_ROCKER)
 """Followers that swing through an angle."""
 FLAT_FACED = ("flat", FLAT_ROCKER)
@@ -111,8 +113,9 @@ _OWN = {"lever": ("rocker",), "centres": ROCKING, "face": (FLAT_ROCKER,)}
 """Followers that have a size."""
 
 
-def flaws(cam: Said) -> Iterator[Flaw]:
-    """Yield what contradicts the follower."""
+def flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
+    """Yield what contradicts the follower, or the form of its cam; ``written``: the section as it stands."""
+    yield from _groove_flaws(cam, written)
     for name, own in _OWN.items():
         given = getattr(cam, name) is not None
         if cam.follower in own and not given and name != "face":
@@ -128,3 +131,24 @@ def flaws(cam: Said) -> Iterator[Flaw]:
     ):  # fmt: skip
         if wrong:
             yield Flaw(("cam", "roller"), says)
+
+
+def _groove_flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
+    """Yield what contradicts a drum, or a groove."""
+    drum = cam.form == DRUM
+    held = drum or cam.groove
+    rods = ("roller",) if drum else ("roller", "rocker")
+    for wrong, name, says in (
+        (held and cam.follower not in rods, "follower", said("a groove holds a roller: leave it out")),
+        (held and cam.roller == 0.0, "roller", said("a groove has a roller; leave it out to have one chosen")),
+        (held and (cam.mass or cam.inertia), "mass" if cam.mass else "inertia",
+         said("a groove holds the roller without a spring: leave it out")),
+        (drum and cam.groove, "groove", said("a drum has its groove anyway: leave it out")),
+        (drum and "turns" in written, "turns",
+         said("a drum is drawn as it passes its roller: leave it out")),
+        (drum and cam.offset, "offset", said("a drum has none; leave it out")),
+        (drum and cam.r0 is not None, "r0", said("a drum has its mean radius instead: write radius")),
+        (not drum and cam.radius is not None, "radius", said("a disc has its least radius instead: write r0")),
+    ):  # fmt: skip
+        if wrong:
+            yield Flaw(("cam", name), says)

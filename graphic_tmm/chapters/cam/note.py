@@ -7,11 +7,18 @@ from functools import cached_property, partial
 
 from graphic_tmm.board.operations.formulas import to_board, total
 from graphic_tmm.chapters.cam import formulas as f
-from graphic_tmm.chapters.cam import formulas_spring, words_spring
+from graphic_tmm.chapters.cam import (
+    formulas_drum,
+    formulas_spring,
+    words_drum,
+    words_spring,
+)
 from graphic_tmm.chapters.cam import note_words as words
 from graphic_tmm.chapters.cam.centre import VIEW as CENTRE
 from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import VIEWS
+from graphic_tmm.chapters.cam.drum import VIEW as DRUM
+from graphic_tmm.chapters.cam.drum import Drum
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
 from graphic_tmm.chapters.cam.laws import formulas as law
@@ -47,7 +54,7 @@ class CamPage(Page[Cam]):
     """A cam, worked a quarter of the rise behind its beginning: all of its motion is there."""
 
     letters = LETTERS
-    by_results = (words.RADIUS,)
+    by_results = (words.RADIUS, words_drum.RADIUS)
 
     @cached_property
     def at(self) -> int:
@@ -70,6 +77,7 @@ class CamPage(Page[Cam]):
             yield self.sentence(words.PRESSURE_KEPT, limits)
         if not cam_findings(self.drawn.reading, self.recorded):
             kept = words.ALL if self.recorded.roller is not None else words.EDGE
+            kept = words_drum.ALL if order.developed else kept
             yield self.sentence(words.FLAT if self.recorded.pressure is None else kept)
 
     def blocks(self) -> Iterator[Block]:
@@ -116,7 +124,7 @@ class CamPage(Page[Cam]):
     def _centres(self) -> Iterator[Block]:
         centre = self.recorded.centre
         if not (isinstance(centre, Centre) and isinstance(self.recorded.path, Path)):
-            yield from self.view(CENTRE, self.figures(CENTRE))
+            yield from self.view(centre.view, self.figures(centre.view))
             return
         yield self.head(words.CENTRES)
         yield from self.leads(self.figures(CENTRE))
@@ -142,7 +150,11 @@ class CamPage(Page[Cam]):
             yield self.says(words.EXTREMES)
             for one in made.pressure.extremes:
                 yield from self.worked_out(one.angle, one.value)
-        if isinstance(made.centre, Centre):
+        if isinstance(made.path, Drum):
+            yield self.says(words_drum.CURVATURE)
+            yield from self.formulas(DRUM, formulas_drum.turning_of_tangent, first=True)
+            yield from self.formulas(CURVATURE, f.curvature_of_profile, first=True)
+        elif isinstance(made.centre, Centre):
             yield self.says(words.CURVATURE)
             yield from self.formulas(CENTRE, f.turning_of_normal, first=True)
             yield from self.formulas(CURVATURE, f.curvature_of_profile, first=True)
@@ -170,7 +182,8 @@ class CamPage(Page[Cam]):
     def _profile(self) -> Iterator[Block]:
         roller = self.recorded.roller
         if roller is None or not isinstance(self.recorded.path, Path):
-            yield from self.view(PROFILE, self.figures(PROFILE))
+            of = self.recorded.profile.view
+            yield from self.view(of, self.figures(of))
             return
         yield self.head(words.PROFILE)
         yield self.says(words.ALLOWED)

@@ -235,6 +235,17 @@ def extreme_of_two(first: Point, second: Point, *, above: int) -> Point:
     return Point(np.where(there, found, np.nan))
 
 
+@operation(symbol=FREE, why=said("A bend to either side counts: the farther point decides."))
+def farther_from_axis(first: Point, second: Point) -> Point:
+    """Of the points {first} and {second} take the one farther from the axis; this is {it}.
+
+    Of two that are as far but for rounding it is the first.
+    """
+    there = np.isfinite(first) & np.isfinite(second)
+    farther = np.abs(second.imag) > (1.0 + EVEN) * np.abs(first.imag)
+    return Point(np.where(there, np.where(farther, second, first), np.nan))
+
+
 def _farthest(curve: Curve, way: Complexes) -> Complexes:
     """Return the point of an open curve farthest along directions (trial or 1, 1); missing if any of it is.
 

@@ -12,6 +12,12 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam.centre import Centre, Convexity, Path, draw_centre, draw_convexity
 from graphic_tmm.chapters.cam.diagrams import Diagrams, draw_diagrams
+from graphic_tmm.chapters.cam.drum import (
+    DEVELOPMENT,
+    Drum,
+    draw_development,
+    draw_drum_centre,
+)
 from graphic_tmm.chapters.cam.flat_rocker import (
     FaceLever,
     FaceRegion,
@@ -68,7 +74,7 @@ class Cam:
     sense: int
     diagrams: Diagrams
     centre: Centre | Convexity | FaceRegion
-    path: Path | Lever | FaceLever | None
+    path: Path | Lever | FaceLever | Drum | None
     pressure: TurnDiagram | None
     curvature: TurnDiagram
     roller: RollerSize | None
@@ -153,18 +159,26 @@ def _draw_pair(draft: Draft, order: CamTask) -> Cam:
             order, sense, diagrams, region, lever, None, radii, None, profile, charts, contact, face
         )
     centre: Centre
-    path: Path | Lever
-    if isinstance(follower, RockerFollower):
+    path: Path | Lever | Drum
+    if order.developed:
+        centre, path = draw_drum_centre(draft, order, diagrams)
+    elif isinstance(follower, RockerFollower):
         centre, path = draw_rocker_centre(draft, order, diagrams, follower, sense)
         charts = (*charts, path.chart)
     else:
         centre, path = draw_centre(draft, order, diagrams, follower.offset, sense)
     pressure = draw_pressure(draft, diagrams, centre)
-    curvature = draw_curvature(draft, diagrams, centre)
+    curvature = draw_curvature(
+        draft, diagrams, centre, groove=order.grooved, straight=order.developed
+    )
     edge = isinstance(follower, RollerFollower) and follower.edge
     roller = None if edge else _roller(draft, order, centre, curvature)
     radius = roller.radius if roller is not None else None
-    profile = draw_profile(draft, diagrams, centre, path, radius, sense)
+    if isinstance(path, Drum):
+        assert radius is not None
+        profile, path = draw_development(draft, diagrams, centre, path, radius)
+    else:
+        profile = draw_profile(draft, diagrams, centre, path, radius, sense, groove=order.grooved)
     charts = (*charts, pressure.chart, curvature.chart)
     return Cam(order, sense, diagrams, centre, path, pressure, curvature, roller, profile, charts)
 
@@ -216,7 +230,7 @@ def _refuse_triangle(order: CamTask) -> None:
 
 def _roller(draft: Draft, order: CamTask, centre: Centre, curvature: TurnDiagram) -> RollerSize:
     """Calculate how large the roller may be, by r0 and by the least curvature; choose."""
-    draft.open(PROFILE)
+    draft.open(DEVELOPMENT if order.developed else PROFILE)
     shares = (order.share_of_r0, order.share_of_curvature)
     limits = []
     for name, share, whole in zip(

@@ -14,8 +14,9 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import advance, to_board, total
 from graphic_tmm.board.operations.instruments import lay_off, measure, parallel, ray, square, strike
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Point
+from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam import formulas_drum, words_drum
 from graphic_tmm.chapters.cam import words as why
 from graphic_tmm.chapters.cam.centre import Centre, Convexity, Path
 from graphic_tmm.chapters.cam.diagrams import Diagrams
@@ -23,13 +24,15 @@ from graphic_tmm.chapters.cam.operations import inward_normal, phase_end, slew, 
 from graphic_tmm.chapters.cam.rocker import Lever
 
 VIEW = "cam profile"
-THEORETICAL, WORKING = "theoretical", "working"
+THEORETICAL, WORKING, OUTER = "theoretical", "working", "outer"
 """What contours are called as bodies of the plan."""
 
 
 @dataclass(frozen=True)
 class Contour:
     """A closed profile: a curve for every stretch, the circles of the upper and of the lower dwell (Arc).
+
+    Of a developed drum lines stand for the circles.
 
     ``points``: through which it runs. Its stretches and dwells follow each other in the sense ``sense`` (1
     counter- clockwise about the centre), against that of the cam.
@@ -48,7 +51,7 @@ class Profile:
 
     ``theoretical``: of a roller, of a knife edge the working one too; ``guides``: lines of the path or of the
     face; ``feet``: where the guides touch the circle of the offset, or the pivots of the lever, or the middles
-    of the face; ``normals``; ``roller``: its radius (Length).
+    of the face; ``normals``; ``roller``: its radius (Length); ``outer``: the other flank of a groove.
     """
 
     view: str
@@ -60,6 +63,7 @@ class Profile:
     roller: Mark | None
     theoretical: Contour | None
     working: Contour
+    outer: Contour | None = None
 
 
 class _Inverted(NamedTuple):
@@ -78,6 +82,8 @@ def draw_profile(
     path: Path | Lever,
     roller: Mark | None,
     sense: int,
+    *,
+    groove: bool = False,
 ) -> Profile:
     """Draw both profiles of a cam with a roller; ``roller``: its radius (Number, m).
 
@@ -107,13 +113,44 @@ def draw_profile(
         draft.figure("lever", "", placed.feet, placed.points)
     else:
         draft.figure("guide", "", *(() if placed.feet is None else (placed.feet,)), placed.points)
+    flanks = draw_flanks(
+        draft, diagrams, centre, origin, (placed.points, normals), radius, sense, groove=groove
+    )
+    return Profile(*stands, radius, theoretical, *flanks)
+
+
+def draw_flanks(
+    draft: Draft,
+    diagrams: Diagrams,
+    centre: Centre,
+    origin: Mark,
+    on: tuple[Mark, Mark],
+    radius: Mark,
+    sense: int,
+    *,
+    groove: bool = True,
+) -> tuple[Contour, Contour | None]:
+    """Draw the working profile, and of a ``groove`` the outer flank, on the other side of the roller.
+
+    ``on``: the roller's centres and the inward normals there; ``radius`` of the roller (Length).
+    """
+    points, normals = on
     contacts = draft.draw(lay_off, "K", normals, radius, why=why.CONTACT)
     paces = [
         draft.draw(f.equidistant_pace, "p", centre.pace, radius, turning)
         for turning in centre.turning
     ]
     working = draw_contour(draft, WORKING, diagrams, origin, (contacts, normals), paces, sense)
-    return Profile(*stands, radius, theoretical, working)
+    if not groove:
+        return working, None
+    outward = draft.draw(parallel, "(n′)", points, normals, sense=-1)
+    contacts = draft.draw(lay_off, "K′", outward, radius, why=words_drum.FLANK)
+    paces = [
+        draft.draw(formulas_drum.outer_pace, "p′", centre.pace, radius, turning)
+        for turning in centre.turning
+    ]
+    outer = draw_contour(draft, OUTER, diagrams, origin, (contacts, normals), paces, sense)
+    return working, outer
 
 
 def draw_flat_profile(draft: Draft, diagrams: Diagrams, of: Convexity, sense: int) -> Profile:
@@ -188,7 +225,8 @@ def draw_contour(
 ) -> Contour:
     """Draw the profile of every stretch and the circles of the dwells; tell them as a body in their order.
 
-    ``on``: the points through which it runs and the normals there.
+    ``origin``: the centre of the circles, or the line to which dwells are parallel on a development; ``on``:
+    the points through which it runs and the normals there.
     """
     turn, (points, normals) = diagrams.turn, on
     curves = []
@@ -204,8 +242,11 @@ def draw_contour(
         if not (turn.rest(phase) or high in (0.0, most)):
             continue
         end = draft.draw(phase_end, f"{points.letter}_e", points, at=phase.last, free=True)
-        far = draft.draw(measure, f"O{end.name}", origin, end, why=why.DWELL)
-        circle = draft.draw(strike, f"(O{end.name})", origin, far, why=why.DWELL)
+        if origin.kind is Line:
+            circle = draft.draw(parallel, f"({end.name})", end, origin, why=words_drum.DWELL)
+        else:
+            far = draft.draw(measure, f"O{end.name}", origin, end, why=why.DWELL)
+            circle = draft.draw(strike, f"(O{end.name})", origin, far, why=why.DWELL)
         behind = max(k for k, row in enumerate(diagrams.stretches) if row[0] is phase)
         order.insert(order.index(curves[behind]) + 1, circle)
         levels.setdefault(high, circle)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import accepted
 from graphic_tmm.chapters.cam.plan import CAM_PLAN
@@ -52,8 +54,11 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     if mu not in drawn.given or order is None:
         return
     ledger.of(cam.profile.view)
-    far = value_of(drawn, cam.r0) + value_of(drawn, cam.diagrams.stroke)
-    ledger.ruled(drawn, ScaleFactor(mu, "r_{max}", far, fixed=order.mu_l, lengths=True))
+    r0 = value_of(drawn, cam.r0)
+    far, letter = r0 + value_of(drawn, cam.diagrams.stroke), "r_{max}"
+    if order.developed:
+        far, letter = math.tau * r0, "2πR"
+    ledger.ruled(drawn, ScaleFactor(mu, letter, far, fixed=order.mu_l, lengths=True))
 
 
 def _as_diagrams(drawn: Drawn, ledger: Ledger, mu: Mark, view: str) -> None:

@@ -89,10 +89,11 @@ def results(drawn: Drawn) -> Results:
 
 def cam_marks(made: Cam) -> Mapping[str, Mark]:
     """Return the marks of a cam's results by name."""
-    marks = {"r0_min": made.least, "r0": made.r0}
+    radius = "drum_radius" if made.order.developed else "r0"
+    marks = {f"{radius}_min": made.least, radius: made.r0}
     if made.roller is not None:
         marks |= {
-            "roller_by_r0": made.roller.by_r0,
+            f"roller_by_{radius}": made.roller.by_r0,
             "roller_by_curvature": made.roller.by_curvature,
             "roller": made.roller.radius,
         }

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.chapters.cam.kinds import (
+    DISC,
+    DRUM,
     FLAT_FACED,
     KEYS,
     ROCKING,
@@ -133,7 +135,7 @@ _SHARE = v.number(v.SHARE)
 
 @dataclass(frozen=True)
 class CamTask:
-    """A disc cam: the law of motion, the follower, limits, sizes of the drawing.
+    """A cam: the law of motion, the follower, limits, sizes of the drawing.
 
     Angles in degrees; other quantities in SI, drawn lengths in mm.
 
@@ -141,8 +143,9 @@ class CamTask:
     of them (and their laws) where there are several lifts. ``pressure``: the largest
     pressure angle allowed towards the side of the rise, ``pressure_return`` towards that of the return (the
     same if None); 90° less the least transmission angle. ``least_rho``: the least radius of curvature
-    allowed of the theoretical profile (m; 0: any), ``r0``: its least radius (m), ``roller``: the radius of
-    the roller (m); None: the least, and the largest, allowed in whole millimetres. ``share_of_r0`` and
+    allowed of the theoretical profile (m; 0: any), ``r0``: its least radius, of a drum the mean one (m),
+    ``groove``: whether both sides of the roller are held, as on a drum they always are; ``roller``: the radius
+    of the roller (m); None: the least, and the largest, allowed in whole millimetres. ``share_of_r0`` and
     ``share_of_curvature`` bound the radius of the roller. A moving phase is
     divided into ``divisions`` parts, or the turn into about ``per_turn``. ``base`` and ``height``: the
     diagrams' length of a turn, and of the stroke unless ``mu_S`` says (m/mm or rad/mm). ``mu_V`` of dS/dφ is
@@ -237,6 +240,15 @@ class CamTask:
     least_rho: float = combined_key(
         lambda said: 0.0 if said.follower in FLAT_FACED else said.least_curvature, 0.0
     )
+    form: str = key(
+        v.choice(DISC, DRUM),
+        "a disc, or a drum with a groove for a roller whose rod moves along its axis",
+        DRUM,
+        DISC,
+    )
+    groove: bool = key(
+        v.SWITCH, "whether a disc has a groove that holds the roller on both sides", True, False
+    )
     turns: str = key(v.TURNS, "which way the cam turns", "counterclockwise", v.COUNTERCLOCKWISE)
     pressure: float = combined_key(
         _pressure,
@@ -247,7 +259,12 @@ class CamTask:
     pressure_return: float | None = key(
         _LIMIT, "largest pressure angle of the return", "45 deg", None
     )
-    r0: float | None = key(v.POSITIVE_LENGTH, "the least radius chosen", "52.1 mm", None)
+    r0: float | None = combined_key(
+        lambda said: said.radius if said.form == DRUM else said.r0,
+        None,
+        r0=key(v.POSITIVE_LENGTH, "the least radius chosen", "52.1 mm", None),
+        radius=key(v.POSITIVE_LENGTH, "the mean radius of a drum chosen", "60 mm", None),
+    )
     roller: float | None = key(
         replace(v.LENGTH, bound=Bound(0)), "the radius of the roller, 0 of a knife edge", "16.8 mm", None,
     )  # fmt: skip
@@ -274,6 +291,16 @@ class CamTask:
         v.SPEED, "how fast the cam turns, if the follower's speeds are wanted", "120 rpm", None
     )
     poles: tuple[float, float] = (30.0, 30.0)
+
+    @property
+    def developed(self) -> bool:
+        """Whether the cam is drawn developed."""
+        return self.form == DRUM
+
+    @property
+    def grooved(self) -> bool:
+        """Whether both sides of the roller are held."""
+        return self.groove or self.developed
 
     @property
     def rocks(self) -> bool:
@@ -311,7 +338,7 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
     """Every contradiction of the section."""
     rocks, told = cam.follower in ROCKING, parts.doc["cam"]
     yield from stroke_faults(cam, told, rocks, keys_of(CamTask))
-    yield from flaws(cam)
+    yield from flaws(cam, parts.doc["cam"])
     yield from flaws_of_spring(cam, parts.doc["cam"])
     if cam.pressure is not None and cam.transmission is not None:
         says = said("pressure says the same; leave one of them out")

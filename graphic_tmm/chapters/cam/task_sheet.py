@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from itertools import accumulate, pairwise
 
+from graphic_tmm.chapters.cam import words_drum
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower, RollerFollower
 from graphic_tmm.chapters.cam.task import (
     ASKED,
@@ -96,7 +97,9 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
     else:
         kind = _ROCKER if isinstance(follower, RockerFollower) else _FLAT
         kind = _FLAT_ROCKER if isinstance(follower, FlatRockerFollower) else kind
-    yield speaking(language)(kind)
+    yield speaking(language)(words_drum.STATED if order.developed else kind)
+    if order.groove:
+        yield speaking(language)(words_drum.GROOVE)
 
 
 _CENTRAL = said("The follower is central, with a roller.")
@@ -216,6 +219,9 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     _ = speaking(language)
     flat = isinstance(order.follower, FlatFollower | FlatRockerFollower)
     yield _(_DIAGRAMS)
+    if order.developed:
+        yield from (_(one) for one in words_drum.ASKS)
+        return
     yield _(_CONVEX if flat else _RADIUS)
     edge = isinstance(order.follower, RollerFollower) and order.follower.edge
     yield _(_FACE if flat else _POINTED if edge else _PROFILE)

@@ -21,11 +21,17 @@ from graphic_tmm.board.operations.instruments import lay_off, measure_along, mee
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam import formulas_drum
 from graphic_tmm.chapters.cam import words as why
 from graphic_tmm.chapters.cam.centre import Centre, Convexity
 from graphic_tmm.chapters.cam.diagrams import Diagrams
 from graphic_tmm.chapters.cam.flat_rocker import FaceRegion
-from graphic_tmm.chapters.cam.operations import crest_of_curve, extreme_of_two, phase_end
+from graphic_tmm.chapters.cam.operations import (
+    crest_of_curve,
+    extreme_of_two,
+    farther_from_axis,
+    phase_end,
+)
 
 PRESSURE, CURVATURE, CONTACT = "cam pressure", "cam curvature", "cam contact"
 DEGREES = 1.0
@@ -77,8 +83,13 @@ def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagr
     return TurnDiagram(axes, chart, (spots,) * len(curves), curves, tuple(extremes))
 
 
-def draw_curvature(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagram:
-    """Draw the curvature of the theoretical profile; its extreme is the least radius of curvature (m)."""
+def draw_curvature(
+    draft: Draft, diagrams: Diagrams, centre: Centre, *, groove: bool, straight: bool
+) -> TurnDiagram:
+    """Draw the curvature of the theoretical profile; its extreme is the least radius of curvature (m).
+
+    Of a ``groove`` hollows count too; ``straight``: dwells are, as on a developed drum.
+    """
     draft.open(CURVATURE)
     mu = draft.scale("μ_κ", "(1/m)/mm")
     axes = graphs.draw_axes(draft, CURVATURE, diagrams.base, mu)
@@ -87,17 +98,15 @@ def draw_curvature(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiag
         kappa = draft.draw(f.curvature_of_profile, "κ", turning, centre.pace, unit="1/m")
         heights.append(draft.draw(to_board, "y_κ", kappa))
     points, curves, readings = _raised(draft, diagrams, axes, heights, "κ")
-    circle = draft.draw(
-        f.curvature_of_profile,
-        "κ",
-        draft.take(Number, "1", 1.0),
-        centre.pace,
-        unit="1/m",
-    )
-    high = draft.draw(to_board, "y_κ", circle)
-    _outline(draft, diagrams, axes, points, _level(draft, diagrams, axes, high))
-    point, y, angle = _extreme(draft, axes, curves, 1)
-    value = draft.draw(f.least_radius, "ρ_{min}", y, unit="m")
+    level = axes.feet
+    if not straight:
+        one = draft.take(Number, "1", 1.0)
+        circle = draft.draw(f.curvature_of_profile, "κ", one, centre.pace, unit="1/m")
+        level = _level(draft, diagrams, axes, draft.draw(to_board, "y_κ", circle))
+    _outline(draft, diagrams, axes, points, level)
+    point, y, angle = _extreme(draft, axes, curves, 0 if groove else 1)
+    radius = formulas_drum.sharpest_bend if groove else f.least_radius
+    value = draft.draw(radius, "ρ_{min}", y, unit="m")
     chart = Chart(CURVATURE, "κ", "1/m", mu, readings, True, None, ROOM)
     return TurnDiagram(axes, chart, points, curves, (Extreme(point, value, angle),))
 
@@ -239,7 +248,17 @@ def _curves(draft: Draft, diagrams: Diagrams, points: Sequence[Mark]) -> tuple[M
 def _extreme(
     draft: Draft, axes: Axes, curves: Sequence[Mark], above: int
 ) -> tuple[Mark, Mark, Mark]:
-    """Return the extreme point of some curves, its ordinate (Length) and the angle of the cam (Angle)."""
+    """Return the extreme point of some curves, its ordinate (Length) and the angle of the cam (Angle).
+
+    ``above``: 1 for the highest, −1 for the lowest, 0 for the one farther from the axis.
+    """
+    if above == 0:
+        ends = [_top(draft, curves, way) for way in (1, -1)]
+        return _placed(draft, axes, draft.draw(farther_from_axis, "k", *ends, free=True))
+    return _placed(draft, axes, _top(draft, curves, above))
+
+
+def _top(draft: Draft, curves: Sequence[Mark], above: int) -> Mark:
     letters = [f"k_{k}" for k in range(1, len(curves) + 1)] if len(curves) > 1 else ["k"]
     tops = [
         draft.draw(crest_of_curve, letter, curve, above=above, free=True)
@@ -248,6 +267,10 @@ def _extreme(
     point = tops[0]
     for other in tops[1:]:
         point = draft.draw(extreme_of_two, "k", point, other, above=above, free=True)
+    return point
+
+
+def _placed(draft: Draft, axes: Axes, point: Mark) -> tuple[Mark, Mark, Mark]:
     y = draft.draw(measure_along, "y_k", axes.origin, point, axes.up, why=why.EXTREME_READ)
     x = draft.draw(measure_along, "x_k", axes.origin, point, axes.along, why=why.EXTREME_READ)
     angle = draft.draw(f.angle_of_turn, "φ_k", x, axes.base.length, unit="°")

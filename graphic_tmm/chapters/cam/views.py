@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from itertools import accumulate
 
@@ -9,9 +10,15 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.cam.centre import Centre, Convexity
 from graphic_tmm.chapters.cam.diagrams import VIEWS
+from graphic_tmm.chapters.cam.drum import Drum
 from graphic_tmm.chapters.cam.flat_rocker import FaceLever
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink, draw_rocker_ink
+from graphic_tmm.chapters.cam.ink_drum import (
+    draw_development_ink,
+    draw_drum_radius_ink,
+    draw_drum_scheme_ink,
+)
 from graphic_tmm.chapters.cam.ink_flat import draw_convexity_ink
 from graphic_tmm.chapters.cam.ink_flat_rocker import draw_face_ink
 from graphic_tmm.chapters.cam.ink_rules import DIAGRAM_RULES
@@ -60,14 +67,19 @@ def cam_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 def scheme_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the mechanism's scheme in one position."""
     made, language = CAM_PLAN.on(drawn), drawn.scene.language
-    pressure = ""
-    if isinstance(made.centre, Centre):
-        angle = drawn.reading.figure(made.centre.pressure)[0, position_of(drawn.reading, made)]
-        pressure = f"α = {fixed(abs(float(angle)), 1, language)}°"
-    told = SchemeNames(pressure, f"r_{{0}} = {_mm(drawn, made.r0)}")
+    told = SchemeNames(_steepest(drawn, made), f"{_radius(made)} = {_mm(drawn, made.r0)}")
     on = subject(drawn, captions(language)["cam scheme"], PLAN)
-    view = draw_scheme_ink(on, made, told)
+    draw = draw_drum_scheme_ink if made.order.developed else draw_scheme_ink
+    view = draw(on, made, told)
     return [with_caption(view, on, lettered, _lengths(drawn, made))]
+
+
+def _steepest(drawn: Drawn, made: Cam) -> str:
+    """Return the largest pressure angle of the positions of the rise."""
+    if not isinstance(made.centre, Centre):
+        return ""
+    angle = drawn.reading.figure(made.centre.pressure)[0, position_of(drawn.reading, made)]
+    return f"α = {fixed(abs(float(angle)), 1, drawn.scene.language)}°"
 
 
 def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> list[Drawing]:
@@ -194,22 +206,28 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
     language = drawn.scene.language
     limits = [made.order.pressure, made.order.pressure_return or made.order.pressure]
     metre, flat = unit("m", language), isinstance(made.centre, Convexity)
+    radius = _radius(made)
     told = CentreNames(
         names,
         f"S, {metre}",
         f"d^2S/dφ^2, {metre}" if flat else f"dS/dφ, {metre}",
-        f"r_{{0min}} = {_mm(drawn, made.least)}",
-        f"r_{{0}} = {_mm(drawn, made.r0)}",
+        f"{'R_{min}' if made.order.developed else 'r_{0min}'} = {_mm(drawn, made.least)}",
+        f"{radius} = {_mm(drawn, made.r0)}",
         (f"{number(limits[0], language)}°", f"{number(limits[1], language)}°"),
         _offset(drawn, made),
     )
     draw = draw_rocker_ink if isinstance(made.path, Lever) else draw_centre_ink
     draw = draw_convexity_ink if flat else draw
     draw = draw_face_ink if isinstance(made.path, FaceLever) else draw
-    on = subject(drawn, captions(language)["cam centre"], PLAN)
+    draw = draw_drum_radius_ink if made.order.developed else draw
+    on = subject(drawn, captions(language)[made.centre.view], PLAN)
     lines = (_lengths(drawn, made), f"{told.least}, {told.r0}")
     known = (made.least, made.r0)
     return with_caption(draw(on, made, told), on, lettered, *lines, known=known)
+
+
+def _radius(made: Cam) -> str:
+    return "R" if made.order.developed else "r_{0}"
 
 
 def _offset(drawn: Drawn, made: Cam) -> str:
@@ -227,14 +245,19 @@ def _lengths(drawn: Drawn, made: Cam) -> str:
 def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Drawing:
     language = drawn.scene.language
     _, words = speaking(language), captions(language)
-    r0, roller = f"r_{{0}} = {_mm(drawn, made.r0)}", "r"
+    r0, roller = f"{_radius(made)} = {_mm(drawn, made.r0)}", "r"
     if made.roller is not None:
         roller = f"r = {_mm(drawn, made.roller.radius)}"
     told = ProfileNames(
-        names, r0, roller, _("theoretical"), _("working"), offset=_offset(drawn, made)
-    )
-    on = subject(drawn, words["cam profile"], PLAN)
-    view = draw_profile_ink(on, made, told)
+        names, r0, roller, _("theoretical"), _("working"), offset=_offset(drawn, made),
+        pressure=_steepest(drawn, made),
+    )  # fmt: skip
+    if isinstance(made.path, Drum) and made.path.length is not None:
+        length = math.tau * 1000.0 * drawn.value(made.r0)
+        told = told._replace(length=f"2πR = {fixed(length, 1, language)} {unit('mm', language)}")
+    on = subject(drawn, words[made.profile.view], PLAN)
+    draw = draw_development_ink if made.order.developed else draw_profile_ink
+    view = draw(on, made, told)
     return with_caption(view, on, lettered, _lengths(drawn, made))
 
 
