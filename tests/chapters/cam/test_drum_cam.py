@@ -11,16 +11,29 @@ import numpy as np
 import pytest
 import shapely
 from support.cams import C6, SHAPES, Made, made, motion, outline, place_of, polygon
+from support.figures import assert_pictures_make_the_view, without_ink, without_source
 from support.scenes import written
 
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.cam.findings import cam_findings
+from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
+from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
+from graphic_tmm.chapters.cam.ink_drum import (
+    draw_development_ink,
+    draw_drum_radius_ink,
+    draw_drum_scheme_ink,
+)
+from graphic_tmm.chapters.cam.ink_rules import TRACELESS
+from graphic_tmm.chapters.cam.ink_scheme import SchemeNames
 from graphic_tmm.chapters.cam.profile import Contour
 from graphic_tmm.chapters.cam.task import CamTask, Law, RockerFollower
 from graphic_tmm.chapters.cam.task_motion import Stage
 from graphic_tmm.errors import SceneError
+from graphic_tmm.paper.formats import HEIGHTS
+from graphic_tmm.paper.labels import finished
+from graphic_tmm.paper.seen import Subject
 from graphic_tmm.scene.read import read
 
 THIN = 2.5e-4
@@ -263,3 +276,23 @@ def test_what_a_drum_and_a_groove_do_not_have_is_refused(
     text = f'[cam]\nrise = 120\nfall = 90\nstroke = "20 mm"\n{line}\n'
     with pytest.raises(SceneError, match=rf"cam\.{key}"):
         read(written(tmp_path, text))
+
+
+@pytest.mark.parametrize("order", [drum(), CamTask(**C6, groove=True)], ids=["drum", "disc"])
+def test_every_step_of_a_groove_is_inked_and_pictures_make_its_views(order: CamTask) -> None:
+    of = made(order)
+    on = Subject(of.log, of.reading, "X", HEIGHTS["A1"])
+    names = [str(k) for k in range(of.cam.diagrams.turn.positions)]
+    told = CentreNames(names, "S", "dS/dφ", "R_{min}", "R")
+    letters = ProfileNames(names, "R", "r", "theoretical", "working")
+    draws = (draw_centre_ink, draw_profile_ink)
+    if order.developed:
+        draws = (draw_drum_radius_ink, draw_development_ink)
+        scheme = finished(draw_drum_scheme_ink(on, of.cam, SchemeNames("α", "R")))
+        assert {"drum", "contour", "roller", "follower"} <= {one.part for one in scheme.strokes}
+        assert not without_source(scheme)
+    drawn = [finished(draws[0](on, of.cam, told)), finished(draws[1](on, of.cam, letters))]
+    assert not without_ink(of.log, drawn, TRACELESS)
+    for view in drawn:
+        assert not without_source(view)
+        assert_pictures_make_the_view(of.log, view)
