@@ -83,7 +83,7 @@ def travels(made: ArcCam, mu: float) -> Reals:
     degrees = np.arange(min(WHOLE, int(lie.work) + 1))
     draft = Draft()
     contour = draw_contour(draft, order, mu, made.sense, lie.changes[0])
-    numbers = degrees * (order.parts / lie.work)
+    numbers = np.asarray(degrees * (order.parts / lie.work), dtype=np.float64)
     follower = draw_follower(draft, order, contour, lie, numbers, made.sense)
     reading = execute(draft.board.construction(), draft.given, (follower.travel,))
     found = np.zeros(WHOLE)

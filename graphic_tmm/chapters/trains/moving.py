@@ -50,7 +50,8 @@ UP, FULL = 90.0, 360.0
 def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     """Yield the train; what drives it turns as its speed says."""
     made = PLANETARY_PLAN.of(drawn)
-    if made is None or made.train.scheme.bevel:  # bevel wheels are seen from the side, where none turns
+    # bevel wheels are seen from the side, where none turns
+    if made is None or made.train.scheme.bevel:
         return
     language = drawn.scene.language
     on = subject(drawn, captions(language)["planetary"], "planetary")

@@ -107,20 +107,10 @@ def _refuse_counts(order: PlanetaryTask, scheme: Scheme) -> None:
 def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
     """Refuse what needs a shaft that the scheme has not, or is sought by none."""
     single = len(scheme.meshes) == 1
+    _refuse_sought(order, scheme)
     if order.pole is not None and scheme.bevel:
         says = said("of bevel wheels angular velocities are laid off as vectors: leave pole out")
         raise refused("pole", says)
-    if single or scheme.bevel or "H" not in scheme.members:
-        if order.ratio is not None:
-            says = said(
-                'teeth of scheme "{name}" are given, not sought: leave ratio out', name=scheme.name
-            )
-            raise refused("ratio", says)
-        if not order.teeth or None in order.teeth:
-            says = said(
-                'teeth of scheme "{name}" are not sought: give all tooth numbers', name=scheme.name
-            )
-            raise refused("teeth", says)
     if single and order.moment is not None:
         says = said("the satellite has no shaft on the axis to take a torque: leave moment out")
         raise refused("moment", says)
@@ -143,6 +133,22 @@ def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
     if order.before and order.behind and "1" not in (motion.driven, motion.first):
         says = said("pairs before and behind would stand on one side of the train: leave one out")
         raise refused("before", says)
+
+
+def _refuse_sought(order: PlanetaryTask, scheme: Scheme) -> None:
+    """Refuse to seek teeth of a scheme whose teeth are given."""
+    if len(scheme.meshes) > 1 and not scheme.bevel and "H" in scheme.members:
+        return
+    if order.ratio is not None:
+        says = said(
+            'teeth of scheme "{name}" are given, not sought: leave ratio out', name=scheme.name
+        )
+        raise refused("ratio", says)
+    if not order.teeth or None in order.teeth:
+        says = said(
+            'teeth of scheme "{name}" are not sought: give all tooth numbers', name=scheme.name
+        )
+        raise refused("teeth", says)
 
 
 def _refuse_ratio(order: PlanetaryTask) -> None:

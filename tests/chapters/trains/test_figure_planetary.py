@@ -105,7 +105,7 @@ def test_steps_of_all_other_trains_are_their_ink(order: PlanetaryTask) -> None:
 
 
 def test_letters_of_random_trains_stand_clear(many: Callable[[int, int], int]) -> None:
-    """Of every scheme, any member standing, rows outside where it has any: no letter on another, no caption on a line."""
+    """Of every scheme, any member standing, with rows outside: no letter on another, no caption on a line."""
     draw = random.Random("letters")
     heavy, captions = ("main", "rod", "joint"), {line for lines in CAPTIONS for line in lines}
 
