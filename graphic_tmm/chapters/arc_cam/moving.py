@@ -29,6 +29,7 @@ from graphic_tmm.chapters.arc_cam.table import PLAN
 from graphic_tmm.chapters.cam.ink import shaft
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.units import unit
 from graphic_tmm.page.turning import (
     WHOLE,
@@ -44,7 +45,6 @@ from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.seen import finite
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot
 from graphic_tmm.paper.views import mu_text
-from graphic_tmm.scene.captions import captions
 
 
 def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
@@ -52,7 +52,8 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     if (made := ARC_CAM_PLAN.of(drawn)) is None:
         return
     language, mu = drawn.scene.language, drawn.value(made.contour.mu)
-    on = subject(drawn, captions(language)["arc cam profile"], PLAN)
+    _ = speaking(language)
+    on = subject(drawn, _("Cam with its follower"), PLAN)
     ink, far = ContourInk(on, made), travels(made, mu)
     if not (finite(complex(ink.points[0])) and np.isfinite(far).all()):
         return
@@ -80,7 +81,7 @@ def travels(made: ArcCam, mu: float) -> Reals:
     The same steps as those of the sheet, at other positions; ``mu``: to its scale.
     """
     order, lie = made.order, made.lie
-    degrees = np.arange(min(WHOLE, int(lie.work) + 1))
+    degrees = np.arange(float(min(WHOLE, int(lie.work) + 1)))
     draft = Draft()
     contour = draw_contour(draft, order, mu, made.sense, lie.changes[0])
     numbers = np.asarray(degrees * (order.parts / lie.work), dtype=np.float64)
