@@ -27,6 +27,7 @@ CASES = {
     "usual": ("ring", str(SHEETS / "planetary")),
     "two drive": ("ring", str(SHEETS / "differential")),
     "3K": ("3K", str(SHEETS / "train-3k")),
+    "odd": ("ring", case("ring", "[24, 21, 66]")),
     "carrier drives": ("ring", case("ring", "[24, 24, 72]", 'driving = "H"')),
     "carrier stands": ("ring", case("ring", "[24, 24, 72]", 'fixed = "H"')),
     "two rows": ("external-internal", case("external-internal", "[24, 36, 24, 84]")),
