@@ -20,7 +20,7 @@ LAYERS = (
     ("record",),
     ("scales", "outline", "ink", "accuracy"),
     ("live_scales",),
-    ("table", "views", "turning", "scheme", "findings"),
+    ("table", "views", "turning", "moving", "scheme", "findings"),
     ("note", "task_sheet"),
     ("__init__",),
 )
