@@ -43,6 +43,7 @@ from graphic_tmm.chapters.cam.task_motion import (
     UNSAID,
     Law,
     Stage,
+    law_faults,
     law_of,
     levels,
     stroke_faults,
@@ -350,49 +351,7 @@ def check(cam: Said, parts: Parts) -> Iterator[Flaw]:
                 'it is told in {unit} here: write, for example, "{example}"', **_UNITS[rocks]
             )
             yield Flaw(("cam", name), says)
-    yield from _laws(cam)
-    yield from _tables(cam)
-
-
-def _laws(cam: Said) -> Iterator[Flaw]:
-    """The law diagram without points, and points of another law."""
-    for law, points in (("law", "law_points"), ("return_law", "return_points")):
-        given, name = getattr(cam, points) is not None, getattr(cam, law)
-        others = points == "return_points" and cam.law_points
-        if name == BY_DIAGRAM and not given and not others:
-            says = said("the law diagram needs points, [[0, 0], [0.25, 1], ...]")
-            yield Flaw(("cam", points), says)
-        if given and name not in (BY_DIAGRAM, None):
-            says = said('only {law} = "diagram" takes points; leave them out', law=law)
-            yield Flaw(("cam", points), says)
-    for law, shares in (("law", "shares"), ("return_law", "return_shares")):
-        if getattr(cam, shares) is not None and (getattr(cam, law) or cam.law) != SHARED:
-            says = said('only {law} = "constant acceleration" has shares; leave them out', law=law)
-            yield Flaw(("cam", shares), says)
-    way = getattr(cam, RETURN)
-    if way is None:
-        return
-    if BY_DIAGRAM not in (cam.return_law or cam.law, cam.law):
-        yield Flaw(("cam", RETURN), said("the other laws are the same both ways; leave it out"))
-    elif way == AS_GIVEN and cam.return_points is None:
-        yield Flaw(("cam", RETURN), said("the return needs points of its own: write return_points"))
-    elif way == MIRRORED and (cam.return_points is not None or cam.return_law is not None):
-        says = said("the return is the rise run backwards: leave its own law and points out")
-        yield Flaw(("cam", RETURN), says)
-
-
-def _tables(cam: Said) -> Iterator[Flaw]:
-    """The law table without its lines, and tables of another law."""
-    for law, table in (("law", "law_table"), ("return_law", "return_table")):
-        own, name = getattr(cam, table), getattr(cam, law) or cam.law
-        if name == BY_TABLE and own is None and cam.law_table is None and not cam.phase:
-            says = said(
-                'the law table needs its lines, [["0 deg", "0 mm"], ["10 deg", "0.8 mm"], ...]'
-            )
-            yield Flaw(("cam", table), says)
-        if own is not None and name != BY_TABLE:
-            says = said('only {law} = "table" takes a table; leave it out', law=law)
-            yield Flaw(("cam", table), says)
+    yield from law_faults(cam)
 
 
 SECTIONS = (

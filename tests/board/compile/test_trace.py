@@ -21,7 +21,7 @@ from graphic_tmm.scene.chapter import whole_book
 LEFT = {
     *("next_standard", "next_standard_length", "nearest_standard", "next_ratio", "whole_mm"),
     *("involute", "working_involute", "angle_of_involute", "tip_thickness", "pointed_involute"),
-    *("working_involute_inside", "ring_thickness_at", "gap_of_corners"),
+    *("working_involute_inside", "ring_thickness_at", "pointed_ring_involute", "gap_of_corners"),
     *("along_arc", "measure_arc", "common_divisor", "turn_between", "around_outer"),
 }
 """Pointwise operations without a curve that look at their numbers, or call what is no pass."""
