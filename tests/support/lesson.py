@@ -24,6 +24,7 @@ NAMES = {
     "sheets": "Sheets",
     "crank": "Crank",
     "lecture": "Lecture",
+    "turning": "Motion",
     "mechanism": "Mechanism",
 }
 """What a page calls what is pressed or chosen, in English."""

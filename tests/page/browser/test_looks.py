@@ -63,7 +63,7 @@ def test_there_is_a_tab_for_what_there_is_to_see(name: str, page_of) -> None:
     called = names(pages.language(name))
     due = {
         "engine": ["play", "crank", "sheets", "lecture"],
-        "gear-pair": ["play", "sheets", "lecture"],
+        "gear-pair": ["play", "sheets", "lecture", "turning"],
     }
     assert list(tabs(page)) == [called[key] for key in due.get(name, ["sheets"])]
     for _ in tabs(page):
