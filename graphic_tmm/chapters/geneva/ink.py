@@ -65,7 +65,7 @@ def _construction(ink: _Ink) -> Iterator[Ink]:
     )  # fmt: skip
     for end, place in ((entry, wheel.entry), (exit_, wheel.exit)):
         strokes: list[Ink] = [line("thin", ink.centre, end), line("thin", ink.origin, end)]
-        yield from body(strokes, "construction", _of(ink, place.at))
+        yield from body(strokes, "normal", _of(ink, place.at))
     start = math.degrees(cmath.phase(entry - ink.origin))
     turn = math.degrees(cmath.phase((exit_ - ink.origin) / (entry - ink.origin)))
     yield from body(

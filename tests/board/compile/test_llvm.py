@@ -225,6 +225,7 @@ ONLY_EXECUTED = {
     *("whole_mm", "next_ratio", "next_standard", "next_standard_length", "nearest_standard"),
     *("common_divisor", "involute", "angle_of_involute", "pointed_involute", "working_involute"),
     *("tip_thickness", "working_involute_inside", "ring_thickness_at", "gap_of_corners"),
+    "pointed_ring_involute",
 }
 """Operations that look into tables, search, or count turns: no curve, nor across, and yet not noted."""
 
