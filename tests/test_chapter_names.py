@@ -31,6 +31,9 @@ ALLOWED = {
     "serve/scheme/effects.py: 'forces'",
     # what motion is asked for: a word of the face, and of a place of sheets
     "readers/any_angles/turn.py: 'forces'",
+    "readers/any_angles/turn.py: 'cam'",
+    "readers/any_angles/turn.py: 'arc_cam'",
+    "readers/any_angles/turn.py: 'gears'",
     "readers/any_angles/results.py: 'forces'",
 }
 

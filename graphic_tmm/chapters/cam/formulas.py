@@ -243,7 +243,7 @@ def angle_left(limit: Angle, value: Angle) -> Angle:
 
 
 @formula(why=_REST)
-def left(limit: Number, value: Number) -> Number:
+def limit_left(limit: Number, value: Number) -> Number:
     """{limit} − {value}"""
 
 

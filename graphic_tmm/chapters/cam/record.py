@@ -125,7 +125,7 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
         ("r0", "Δr_{r}", cam.roller.by_r0),
         ("profile", "Δr_{ρ}", cam.roller.by_curvature),
     ):
-        found[f"left_roller_{name}"] = draft.draw(f.left, letter, limit_of, radius, unit="m")
+        found[f"left_roller_{name}"] = draft.draw(f.limit_left, letter, limit_of, radius, unit="m")
     return found
 
 
