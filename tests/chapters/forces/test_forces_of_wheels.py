@@ -10,7 +10,7 @@ from support.wheel_loops import FiveBar
 from support.wheels import geared, near
 
 import graphic_tmm as tmm
-from graphic_tmm.errors import TmmError
+from graphic_tmm.errors import StructureError, TmmError
 from graphic_tmm.readers.findings import all_warnings
 from graphic_tmm.studio import make
 
@@ -18,6 +18,7 @@ RATIO = 1e-9
 
 
 def _all_hold(seeds: range) -> None:
+    refused: list[int] = []
     for seed in seeds:
         drawn = geared(seed, 1 + seed % 2)
         loaded = weighed(drawn, seed)
@@ -28,11 +29,17 @@ def _all_hold(seeds: range) -> None:
             balance="force" if seed % 5 < 3 else "moment",
         )
         poses = {k: pose for k, pose in drawn.poses.items() if k != drawn.mechanism.frame.number}
-        solved = solve(
-            loaded, drawn.phi, poses, order, turned=bool(seed % 7 < 3), wound=near(drawn)
-        )
+        try:
+            solved = solve(
+                loaded, drawn.phi, poses, order, turned=bool(seed % 7 < 3), wound=near(drawn)
+            )
+        except StructureError as error:  # a link swings by more than a whole turn over the turn
+            assert "cannot follow" in str(error), seed
+            refused.append(seed)
+            continue
         found = errors(solved)
         assert max(found.values()) <= RATIO, (seed, found)
+    assert len(refused) <= len(seeds) // 50, refused
 
 
 def test_wheels_on_any_links_bear_as_newton_and_euler_say() -> None:
