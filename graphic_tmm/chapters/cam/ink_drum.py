@@ -23,7 +23,14 @@ from graphic_tmm.chapters.cam.ink import (
     inverted,
 )
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
-from graphic_tmm.chapters.cam.ink_rules import OVER, CamInk, arrow_axis, between, numbered
+from graphic_tmm.chapters.cam.ink_rules import (
+    OVER,
+    CamInk,
+    arrow_axis,
+    between,
+    every_that_fits,
+    numbered,
+)
 from graphic_tmm.chapters.cam.ink_scheme import (
     NAME,
     SchemeNames,
@@ -32,8 +39,10 @@ from graphic_tmm.chapters.cam.ink_scheme import (
 )
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL
+from graphic_tmm.paper.axes import number_rows
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
+from graphic_tmm.paper.labels import Named
 from graphic_tmm.paper.mark_rules import curve, dotted, straight
 from graphic_tmm.paper.seen import Rule, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
@@ -132,8 +141,15 @@ def draw_development_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
     size = dimension(corners[0], corners[1], -BELOW, names.length, ink.heights.number)
     strokes += body(size.strokes, "dimension", [drum.length])
     label = size.label._replace(of=(drum.length.slot,))
-    wanted += _letters(ink, cam, names, feet + 1j * low)
-    return traces.drawing(on, strokes, wanted, [label], enumerate(names.positions))
+    wanted += _letters(ink, cam, names)
+    slot = made.feet.slot
+    named = [
+        Named(complex(foot), name, (slot,), n)
+        for n, (foot, name) in enumerate(zip(feet, names.positions, strict=True))
+        if n % every_that_fits(feet, ink.heights.number) == 0
+    ]
+    labels = [label, *number_rows({"": named}, ink.heights.number, low)]
+    return traces.drawing(on, strokes, wanted, labels, enumerate(names.positions))
 
 
 def _path(cam: Cam) -> Mark:
@@ -190,12 +206,10 @@ def _steepest(ink: CamInk, cam: Cam, k: int, text: str) -> tuple[list[Ink], list
     return strokes, wanted
 
 
-def _letters(ink: CamInk, cam: Cam, names: ProfileNames, feet: Complexes) -> Iterator[Wanted]:
-    """The numbers of the positions below the drum, the radius of the roller."""
+def _letters(ink: CamInk, cam: Cam, names: ProfileNames) -> Iterator[Wanted]:
+    """The radius of the roller."""
     made, small = cam.profile, ink.heights.number
-    assert made.feet is not None
     assert made.roller is not None
-    yield from numbered(ink, names.positions, made.feet, feet, np.full_like(feet, -1j))
     radius = ink.fixed_number(made.roller)
     high = ink.all(_path(cam))[cam.diagrams.turn.rise.last]
     if finite(high):

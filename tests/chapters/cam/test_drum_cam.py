@@ -34,6 +34,7 @@ from graphic_tmm.errors import SceneError
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.seen import Subject
+from graphic_tmm.paper.shapes import box
 from graphic_tmm.scene.read import read
 
 THIN = 2.5e-4
@@ -296,3 +297,21 @@ def test_every_step_of_a_groove_is_inked_and_pictures_make_its_views(order: CamT
     for view in drawn:
         assert not without_source(view)
         assert_pictures_make_the_view(of.log, view)
+
+
+@pytest.mark.parametrize("parts", [12, 24, 48])
+def test_numbers_of_a_development_stand_at_their_own_ordinates(parts: int) -> None:
+    """Each just left of its own, no other between, and on one level: as on the graphs beside it."""
+    of = drawn("sine", parts)
+    names = [str(k) for k in range(of.cam.diagrams.turn.positions)]
+    letters = ProfileNames(names, "R", "r", "theoretical", "working")
+    on = Subject(of.log, of.reading, "X", HEIGHTS["A1"])
+    view = finished(draw_development_ink(on, of.cam, letters))
+    feet = of.reading[of.cam.profile.feet][0].real
+    numbers = [one for one in view.labels if one.position is not None and one.text.isdigit()]
+    assert len(numbers) >= len(names) / 5
+    for one in numbers:
+        end = box(one).bounds[2]
+        assert np.flatnonzero(feet > end)[0] == one.position
+        assert feet[one.position] - end < on.heights.number
+    assert len({round(one.at.imag, 6) for one in numbers}) == 1
