@@ -98,8 +98,8 @@ def number_rows(
 ) -> tuple[Label, ...]:
     """Return the numbers of positions of several things along one base, a row for each below the row before.
 
-    ``rows``: their positions, by the letters that begin the rows, "" for none; ``below``: under which height,
-    mm. A number for which its row has no room stands lower, and the rows behind it then, too.
+    ``rows``: their positions, by the letters that begin the rows; ``below``: under which height, mm. A number
+    for which its row has no room stands lower, and the rows behind it then, too.
     """
     found: list[Label] = []
     low, ink = below - TICK - CLEAR - size, _Inked((), (0.0, 0.0))
@@ -109,8 +109,7 @@ def number_rows(
         labels = _level(there, levels, size, ink, beside=BETWEEN).labels
         if labels:
             left = min(label.at.real for label in labels) - HEAD
-            head = [Label(text, complex(left, low), size, "end", of=labels[0].of)] if text else []
-            found += [*head, *labels]
+            found += [Label(text, complex(left, low), size, "end", of=labels[0].of), *labels]
             low = min(label.at.imag for label in labels) - size - BETWEEN
     return tuple(found)
 

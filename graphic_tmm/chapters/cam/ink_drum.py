@@ -23,14 +23,7 @@ from graphic_tmm.chapters.cam.ink import (
     inverted,
 )
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
-from graphic_tmm.chapters.cam.ink_rules import (
-    OVER,
-    CamInk,
-    arrow_axis,
-    between,
-    every_that_fits,
-    numbered,
-)
+from graphic_tmm.chapters.cam.ink_rules import OVER, CamInk, arrow_axis, between, numbered
 from graphic_tmm.chapters.cam.ink_scheme import (
     NAME,
     SchemeNames,
@@ -39,7 +32,7 @@ from graphic_tmm.chapters.cam.ink_scheme import (
 )
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL
-from graphic_tmm.paper.axes import number_rows
+from graphic_tmm.paper.axes import position_numbers
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
 from graphic_tmm.paper.labels import Named
@@ -146,9 +139,9 @@ def draw_development_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
     named = [
         Named(complex(foot), name, (slot,), n)
         for n, (foot, name) in enumerate(zip(feet, names.positions, strict=True))
-        if n % every_that_fits(feet, ink.heights.number) == 0
     ]
-    labels = [label, *number_rows({"": named}, ink.heights.number, low)]
+    numbers = position_numbers(named, (), (), ink.heights.number)
+    labels = [label, *(one._replace(at=one.at + 1j * low) for one in numbers)]
     return traces.drawing(on, strokes, wanted, labels, enumerate(names.positions))
 
 

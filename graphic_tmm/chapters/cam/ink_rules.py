@@ -127,7 +127,7 @@ def numbered(
 
     ``mark``: of the point that is numbered; ``spots``: where its numbers stand, ``toward``: on which side.
     """
-    ways, every = np.broadcast_to(toward, spots.shape), every_that_fits(spots, ink.heights.number)
+    ways, every = np.broadcast_to(toward, spots.shape), _every(spots, ink.heights.number)
     named, aim = [], dict[complex, complex]()
     for k, (name, spot, way) in enumerate(zip(names, spots, ways, strict=True)):
         if k % every:
@@ -141,7 +141,7 @@ def numbered(
     ]
 
 
-def every_that_fits(spots: Complexes, height: float) -> int:
+def _every(spots: Complexes, height: float) -> int:
     """Return every how many-th position has room for its number."""
     steps = np.abs(np.diff(spots))
     apart = steps[np.isfinite(steps) & (steps > height * 0.1)]

@@ -301,7 +301,7 @@ def test_every_step_of_a_groove_is_inked_and_pictures_make_its_views(order: CamT
 
 @pytest.mark.parametrize("parts", [12, 24, 48])
 def test_numbers_of_a_development_stand_at_their_own_ordinates(parts: int) -> None:
-    """Each just left of its own, no other between, and on one level: as on the graphs beside it."""
+    """Of those that are numbered each is nearest to its own, and all are on one level."""
     of = drawn("sine", parts)
     names = [str(k) for k in range(of.cam.diagrams.turn.positions)]
     letters = ProfileNames(names, "R", "r", "theoretical", "working")
@@ -310,8 +310,9 @@ def test_numbers_of_a_development_stand_at_their_own_ordinates(parts: int) -> No
     feet = of.reading[of.cam.profile.feet][0].real
     numbers = [one for one in view.labels if one.position is not None and one.text.isdigit()]
     assert len(numbers) >= len(names) / 5
+    places = [one.position for one in numbers]
     for one in numbers:
-        end = box(one).bounds[2]
-        assert np.flatnonzero(feet > end)[0] == one.position
-        assert feet[one.position] - end < on.heights.number
+        left, _, right, _ = box(one).bounds
+        off = np.maximum(left - feet[places], feet[places] - right)
+        assert places[int(np.argmin(off))] == one.position
     assert len({round(one.at.imag, 6) for one in numbers}) == 1
