@@ -58,14 +58,16 @@ BESIDE = 5.0
 
 def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     """Yield the cam with its follower."""
-    if (cam := CAM_PLAN.of(drawn)) is None:
+    cam = CAM_PLAN.of(drawn)
+    # a drum is drawn developed: what turns is not seen there
+    if cam is None or cam.order.developed:
         return
     language = drawn.scene.language
     on = subject(drawn, captions(language)["cam scheme"], "cam")
     ink = CamInk(on, cam, VIEW)
     high = displacements(ink)
     follower = _follower(ink, high * drawn.value(cam.diagrams.S.chart.mu))
-    reach = ink.arc(cam.profile.working.upper, 0)[1] + CROSS
+    reach = ink.arc((cam.profile.outer or cam.profile.working).upper, 0)[1] + CROSS
     if follower is None or not math.isfinite(reach):
         return
     turning = RigidBody(tuple(cam_body(ink, 1 + 0j)), (Rotation(0j, float(cam.sense)),))

@@ -57,7 +57,7 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     on = subject(drawn, captions(language)["planetary"], "planetary")
     ink = TrainInk(on.seen(VIEWS, range(made.train.satellites)), made, on.heights)
     teeth = {wheel: round(drawn.value(z)) for wheel, z in made.sizes.teeth.items()}
-    if (rates := member_rates(made, teeth)) is None:
+    if (rates := _rates(drawn, made)) is None:
         return
     train = _Train(ink, rates, teeth)
     reach, c = ink.reach + HATCH_DEPTH + CENTRE_BEYOND, ink.centre
@@ -75,27 +75,17 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     )
 
 
-def member_rates(made: Planetary, z: Mapping[str, int]) -> dict[str, float] | None:
-    """Return how fast members turn, by their names, over the faster of those that drive (of its size).
+def _rates(drawn: Drawn, made: Planetary) -> dict[str, float] | None:
+    """Return how fast bodies turn, by their names, over the faster of those that drive (of its size).
 
-    Seen from the carrier the pitch circles of every mesh go equally fast, as the formula of Willis says. None
-    of a train whose members cannot move so.
+    As the plan of angular velocities has it, drawn exactly; None of a train that does not move so.
     """
-    scheme, motion = made.train.scheme, made.motion
-    names = [*(mesh.wheel for mesh in scheme.meshes), "2", "H"]
-    matrix, right = np.zeros((len(names), len(names))), np.zeros(len(names))
-    for k, (wheel, rim, sense, _) in enumerate(scheme.meshes):
-        for name, of in ((wheel, z[wheel]), ("2", sense * z[rim])):
-            matrix[k, names.index(name)] += of
-            matrix[k, names.index("H")] -= of
-    known = dict(motion.driving) | ({motion.fixed: 0.0} if motion.fixed else {})
-    for k, (name, omega) in enumerate(known.items(), len(scheme.meshes)):
-        matrix[k, names.index(name)], right[k] = 1.0, omega
-    per = max(map(abs, motion.driving.values())) or 1.0
-    if np.linalg.matrix_rank(matrix) < len(names):
+    found = {body: drawn.value(mark) for body, mark in made.rates.values.items()}
+    per = max(abs(found[body]) for body in made.motion.driving)
+    if not per or not np.isfinite([*found.values()]).all():
         return None
-    found = np.linalg.solve(matrix, right) / per
-    return {name: float(omega) for name, omega in zip(names, found, strict=True)}
+    still = {made.motion.fixed: 0.0} if made.motion.fixed else {}
+    return still | {body: omega / per for body, omega in found.items()}
 
 
 class _Train:

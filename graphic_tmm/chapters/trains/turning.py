@@ -21,7 +21,8 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
     """Yield the angle and the speed (rpm) of every body that moves, satellites against the frame."""
     turns, angles = BESIDE.on(project).turns, _angles(project)
     for body, mark in turns.items():
-        yield TurnQuantity(PLANETARY_TRAIN, "columns", f"planetary_phi_{body}", angles[body])
+        if body in angles:
+            yield TurnQuantity(PLANETARY_TRAIN, "columns", f"planetary_phi_{body}", angles[body])
         yield TurnQuantity(PLANETARY_TRAIN, "columns", f"planetary_n_{body}", mark)
 
 
@@ -35,10 +36,15 @@ def between(drawn: Drawn, turn: Turn) -> Between:
 
 
 def _angles(holder: Project | Drawn) -> dict[str, Mark]:
-    """Return marks of the angles by the body: no step draws them."""
+    """Return marks of the angles by the body: no step draws them.
+
+    A bevel satellite has none against the frame: it turns about an axis that is itself carried round.
+    """
+    bevel = PLANETARY_PLAN.on(holder).train.scheme.bevel
     return {
         body: Mark(-2 - k, f"φ_{body}", Number, PLANETARY_TRAIN)
         for k, body in enumerate(BESIDE.on(holder).turns)
+        if not (bevel and body == "2")
     }
 
 

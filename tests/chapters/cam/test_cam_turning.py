@@ -7,8 +7,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
+from support.boards import in_usual_size
 from support.gallery import SHEETS
-from support.turned import inside, laid, picture
+from support.scenes import written
+from support.turned import inside, laid, picture, points
+
+from graphic_tmm.page.turning import turning_pictures
+from graphic_tmm.scene.read import read
 
 HEAD = """title = "T"
 language = "en"
@@ -67,3 +72,27 @@ def test_what_is_told_is_the_law(tmp_path: Path) -> None:
     due = {0: 0.0, 25: 28.0 * (0.25 - 1 / (2 * np.pi)), 50: 14.0, 110: 28.0, 165: 14.0, 300: 0.0}
     for angle, far in due.items():
         assert place.course[angle] == pytest.approx(far, abs=0.01), angle
+
+
+def test_a_roller_in_a_groove_touches_both_flanks(tmp_path: Path) -> None:
+    text = HEAD + 'stroke = "30 mm"\nr0 = "60 mm"\nlaw = "3-4-5"\nroller = "8 mm"\ngroove = true\n'
+    shown = picture(tmp_path, text)
+    cam, *rest = shown.bodies
+    (follower,) = (body for body in rest if body.moves)
+    axes = np.concatenate([points(one) for one in shown.stands.strokes])
+    for turn in TURNS:
+        flanks = laid(cam, turn, "main")
+        assert np.ptp(axes, axis=0).max() > flanks.bounds[2] - flanks.bounds[0], (
+            "they reach beyond it"
+        )
+        (roller,) = (one for one in shapely.polygonize([laid(follower, turn, "main")]).geoms)
+        assert not flanks.intersects(roller.buffer(-NEAR)), turn
+        touched = flanks.intersection(roller.buffer(NEAR)).buffer(NEAR)
+        assert len(shapely.get_parts(touched)) == 2, "one flank on each side"
+
+
+def test_a_drum_has_no_picture_that_turns(tmp_path: Path) -> None:
+    path = written(
+        tmp_path, HEAD + 'stroke = "30 mm"\nlaw = "3-4-5"\nroller = "8 mm"\nform = "drum"\n'
+    )
+    assert not list(turning_pictures(in_usual_size(read(path), exact=True)))
