@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from support import pages
+from support.boards import in_usual_size
+from support.gallery import ALL, scene
 from support.turned import laid
 
 from graphic_tmm.page.page import page, page_data
@@ -17,6 +19,7 @@ from graphic_tmm.page.turning import (
     turning_pictures,
 )
 from graphic_tmm.paper.drawing import line
+from graphic_tmm.project import own_boards
 
 
 def test_a_row_goes_on_from_its_end_to_its_beginning() -> None:
@@ -72,3 +75,11 @@ def test_only_what_turns_brings_its_program() -> None:
     text = page(made, sheets, practised=True)
     assert text.count('["turning"]=') == 2, "its room, its keys"
     assert text == page(made, sheets, practised=True)
+
+
+@pytest.mark.every
+@pytest.mark.parametrize("name", [name for name in ALL if own_boards(scene(name))])
+def test_of_every_scene_what_turns_can_be_told(name: str) -> None:
+    """None of a board of its own fails to, whatever is drawn on it; a picture turns something."""
+    for shown in turning_pictures(in_usual_size(scene(name), exact=True)):
+        assert any(body.moves for body in shown.bodies)
