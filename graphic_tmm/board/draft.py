@@ -155,13 +155,13 @@ class Draft:
         """Take a real length l (m) and calculate the length on the board: AB = l_AB/μ_l; once in a view."""
         known = self._lengths.get((self.view, letter, metres))
         if known is None:
-            real = self.take(Number, real_letter(letter), metres, "m")
+            real = self.take(Number, _real(letter), metres, "m")
             known = self.draw(to_board, letter, real, self.mu_l)
             assert known.kind is Length
             self._lengths[self.view, letter, metres] = known
         return known
 
 
-def real_letter(letter: str) -> str:
+def _real(letter: str) -> str:
     """Return the letter of the real length: l_{AB} of AB; X_{S} of a coordinate x_{S} on the board."""
     return f"l_{{{letter}}}" if "_" not in letter else letter[0].upper() + letter[1:]

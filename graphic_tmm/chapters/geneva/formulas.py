@@ -40,6 +40,16 @@ def slot_bottom(distance: Length, crank: Length, pin: Length) -> Length:
     """{distance} − {crank} − {pin}"""
 
 
+@formula(why=said("A pin is as thick as the slot is wide; drawn it is by its radius."))
+def pin_radius(diameter: Number) -> Number:
+    """{diameter}/2"""
+
+
+@formula(why=said("The disc goes free of the pin, and reaches into the hollows of the rim."))
+def usual_disc(crank: Number, pin: Number) -> Number:
+    """{crank} − 1.5·{pin}"""
+
+
 @formula(
     why=said("Each pin turns the wheel while its crank goes through this angle, of a turn of 360°.")
 )

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.geneva.plan import Geneva, hollow
+from graphic_tmm.chapters.geneva.plan import Geneva
 from graphic_tmm.chapters.geneva.task import GENEVA
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import added, body, figure, showing
@@ -66,10 +66,8 @@ def _construction(ink: _Ink) -> Iterator[Ink]:
     for end, place in ((entry, wheel.entry), (exit_, wheel.exit)):
         strokes: list[Ink] = [line("thin", ink.centre, end), line("thin", ink.origin, end)]
         yield from body(strokes, "normal", _of(ink, place.at))
-    start = math.degrees(cmath.phase(entry - ink.origin))
-    turn = math.degrees(cmath.phase((exit_ - ink.origin) / (entry - ink.origin)))
     yield from body(
-        [arc("thin", ink.origin, abs(entry - ink.origin), start, turn)],
+        [arc("thin", ink.origin, abs(entry - ink.origin), *_seen(ink, ink.origin))],
         "path", _of(ink, wheel.entry.at, wheel.exit.at),
     )  # fmt: skip
 
@@ -78,7 +76,7 @@ def _wheel(ink: _Ink) -> Iterator[Ink]:
     """The rim from slot to slot: an edge of a slot and its round bottom, rim, hollow of the disc, rim."""
     centre, pitch, strokes = ink.centre, ink.pitch, list[Ink]()
     ahead = math.asin(min(1.0, ink.pin / ink.rim))
-    room = hollow(ink.apart, ink.rim, ink.lock, ink.pin, ink.wheel.order.slots)
+    room = _hollow(ink)
     top = math.sqrt(max(0.0, ink.rim**2 - ink.pin**2))
     start = cmath.phase(ink.ends[0] - centre)
     for k in range(ink.wheel.order.slots):
@@ -109,6 +107,21 @@ def _wheel(ink: _Ink) -> Iterator[Ink]:
     yield from body(strokes, "wheel", [*marks, ink.wheel.lock])
 
 
+def _hollow(ink: _Ink) -> tuple[float, float] | None:
+    """Return half the angles of a hollow of the rim, seen from the wheel's centre and from its own (rad).
+
+    None where it would cut into the slots, or the disc does not reach the rim: a disc that goes free of the pin
+    does neither.
+    """
+    apart, rim, lock = ink.apart, ink.rim, ink.lock
+    at = (apart**2 + rim**2 - lock**2) / (2.0 * apart * rim)
+    wide = (apart**2 + lock**2 - rim**2) / (2.0 * apart * lock)
+    if not (abs(at) < 1.0 and abs(wide) < 1.0 and ink.pin < rim):
+        return None
+    half = math.acos(at)
+    return (half, math.acos(wide)) if half < ink.pitch / 2.0 - math.asin(ink.pin / rim) else None
+
+
 def _floor(ink: _Ink) -> float:
     """How far the round bottom of a slot has its centre from the wheel's: at the nearest place of the pin."""
     return ink.bottom + ink.pin
@@ -121,9 +134,8 @@ def _rim(ink: _Ink, start: float, turn: float) -> Ink:
 def _disc(ink: _Ink) -> Iterator[Ink]:
     """The crank with its pin, and the disc: convex but where a pin carries the wheel past it."""
     wheel, pins = ink.wheel, ink.wheel.order.pins
-    entry = ink.ends[0]
-    half = abs(cmath.phase((ink.ends[1] - ink.origin) / (entry - ink.origin))) / 2.0
-    first = cmath.phase(entry - ink.origin)
+    first, engaged = (math.radians(one) for one in _seen(ink, ink.origin))
+    half = abs(engaged) / 2.0
     crank: list[Ink] = []
     disc: list[Ink] = []
     for k in range(pins):
@@ -164,10 +176,14 @@ def _seen(ink: _Ink, vertex: complex) -> tuple[float, float]:
 
 def _letters(ink: _Ink) -> Iterator[Wanted]:
     wheel, size = ink.wheel, ink.heights.point
-    named = {wheel.origin: ink.origin, wheel.centre: ink.centre}
-    named |= dict(zip((wheel.entry.at, wheel.exit.at), ink.ends, strict=True))
-    for mark, at in named.items():
-        yield Wanted(mark.letter, at, size, max(PIVOT, ink.pin), of=(mark.slot,))
+    named = {
+        wheel.origin: (ink.origin, PIVOT),
+        wheel.centre: (ink.centre, PIVOT),
+        wheel.entry.at: (ink.ends[0], ink.pin),
+        wheel.exit.at: (ink.ends[1], PIVOT),
+    }
+    for mark, (at, radius) in named.items():
+        yield Wanted(mark.letter, at, size, radius, of=(mark.slot,))
     for vertex, radius, mark, text in (
         (ink.centre, AT_CENTRE, wheel.half, "2β"), (ink.origin, AT_ORIGIN, wheel.engaged, "2φ"),
     ):  # fmt: skip

@@ -7,7 +7,8 @@ import math
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from graphic_tmm.board.draft import Draft, real_letter
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.energetics import share
 from graphic_tmm.board.operations.formulas import to_board
 from graphic_tmm.board.operations.instruments import (
     incline,
@@ -23,18 +24,16 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.geneva import formulas as f
 from graphic_tmm.chapters.geneva import words as why
-from graphic_tmm.chapters.geneva.task import ASKED, GENEVA, GenevaTask
+from graphic_tmm.chapters.geneva.task import ASKED, GENEVA, PIN, GenevaTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.rack import Rack
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Mechanism
+from graphic_tmm.language.said import joined, said
+from graphic_tmm.mechanism.records import Drive, Mechanism, Slide
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
 
-PIN, FREE = 0.15, 1.5
-"""Diameter of a pin that a scene does not give, of the crank; by how many of them the disc is smaller."""
 ANGLES = 0.01
 """A position this near to the entry or the exit, degrees, is in it: crank angles are written so at best."""
 CLEAR = 1e-9
@@ -96,22 +95,6 @@ class _Parts(NamedTuple):
     apart: complex
 
 
-def hollow(
-    apart: float, rim: float, lock: float, pin: float, slots: int
-) -> tuple[float, float] | None:
-    """Return half the angles of a hollow of the rim, seen from the wheel's centre and from its own (rad).
-
-    None where it would cut into the slots, or the disc does not reach the rim: a disc that goes free of the pin
-    does neither.
-    """
-    at = (apart**2 + rim**2 - lock**2) / (2.0 * apart * rim)
-    wide = (apart**2 + lock**2 - rim**2) / (2.0 * apart * lock)
-    if not (abs(at) < 1.0 and abs(wide) < 1.0 and pin < rim):
-        return None
-    half = math.acos(at)
-    return (half, math.acos(wide)) if half < math.pi / slots - math.asin(pin / rim) else None
-
-
 def record(bench: Bench) -> Geneva | None:
     """Draw the Geneva wheel of the mechanism.
 
@@ -138,7 +121,7 @@ def _draw(draft: Draft, order: GenevaTask, plans: KinematicPlans, parts: _Parts)
 
     def length(letter: str, metres: float) -> tuple[Mark, Mark]:
         """Take a real length, and calculate that on the board."""
-        real = draft.take(Number, real_letter(letter), metres, "m")
+        real = draft.take(Number, f"l_{{{letter}}}", metres, "m")
         return real, draft.draw(to_board, letter, real, mu)
 
     name = f"{parts.origin}{parts.centre}"
@@ -162,38 +145,51 @@ def _draw(draft: Draft, order: GenevaTask, plans: KinematicPlans, parts: _Parts)
     engaged = draft.draw(swung, "2φ", *ends, unit="°", sense=sense)
     given, crank = length(f"{parts.origin}{parts.pin}", abs(crank_pair.arm))
     due = draft.draw(f.crank_due, "R", distance, half, unit="m")
-    size = order.pin if order.pin is not None else PIN * abs(crank_pair.arm)
-    pin = length("r_{p}", size / 2.0)[1]
-    held = order.lock if order.lock is not None else abs(crank_pair.arm) - FREE * size
-    lock = length("r_{l}", held)[1]
+    if order.pin is not None:
+        thick = draft.take(Number, "d_{p}", order.pin, "m")
+    else:
+        thick = draft.draw(share, "d_{p}", given, draft.take(Number, "", PIN), unit="m")
+    radius = draft.draw(f.pin_radius, "R_{p}", thick, unit="m")
+    pin = draft.draw(to_board, "r_{p}", radius, mu)
+    if order.lock is not None:
+        held = draft.take(Number, "R_{l}", order.lock, "m")
+    else:
+        held = draft.draw(f.usual_disc, "R_{l}", given, thick, unit="m")
+    lock = draft.draw(to_board, "r_{l}", held, mu)
     bottom = draft.draw(f.slot_bottom, "r_{b}", apart, crank, pin)
     middle = draft.draw(lay_off, "M", line, crank)
     rest = draft.draw(measure, f"{parts.centre}M", centre, middle)
     fastest = draft.draw(f.fastest, "u", crank, rest)
-    share = draft.draw(f.share_of_motion, "τ", pins, engaged)
+    moves = draft.draw(f.share_of_motion, "τ", pins, engaged)
     by_slots = draft.draw(f.share_by_slots, "τ′", pins, z)
     motion = dwell = None
-    speed = plans.mechanism.drive.speed
-    if speed and not plans.mechanism.drive.rates:
+    if speed := _even_speed(plans.mechanism.drive):
         omega = draft.take(Number, f"ω_{crank_pair.link}", speed, "1/s")
         motion = draft.draw(f.time_of_motion, "t_{m}", engaged, omega, unit="s")
-        dwell = draft.draw(f.time_of_dwell, "t_{d}", pins, omega, motion, unit="s")
+        if order.spare > 0:
+            dwell = draft.draw(f.time_of_dwell, "t_{d}", pins, omega, motion, unit="s")
     return Geneva(
         order, abs(parts.apart), sense, mu, origin, centre, entry, exit_, apart, crank, pin, lock,
-        rim, bottom, half, engaged, due, given, share, by_slots, fastest, motion, dwell,
+        rim, bottom, half, engaged, due, given, moves, by_slots, fastest, motion, dwell,
     )  # fmt: skip
+
+
+def _even_speed(drive: Drive) -> float:
+    """Return how fast the crank turns, 1/s; 0 where it stands, or not evenly."""
+    uneven = drive.rates or drive.gains or drive.acceleration
+    return 0.0 if uneven else abs(drive.speed)
 
 
 def _crossing(
     draft: Draft, parts: _Parts, origin: Mark, back: Mark, turn: Mark, k: int
 ) -> Crossing:
     """Draw a slot as it stands at the entry (1) or the exit (2), and where the pin is then."""
-    says = (why.SLOT_AT_ENTRY, why.SLOT_AT_EXIT)[k - 1]
+    says, there = ((why.SLOT_AT_ENTRY, why.ENTRY), (why.SLOT_AT_EXIT, why.EXIT))[k - 1]
     name = f"{parts.centre}E_{k}"
     centre = draft.uses(back)[0]
     slot = draft.draw(incline, f"({name})", centre, back, turn, why=says)
     across = draft.draw(square, f"({parts.origin}E_{k})", origin, slot)
-    return Crossing(slot, draft.draw(meet, f"E_{k}", across, slot, why=why.ENTRY))
+    return Crossing(slot, draft.draw(meet, f"E_{k}", across, slot, why=there))
 
 
 def _crank(plans: KinematicPlans) -> Crank:
@@ -216,13 +212,12 @@ def _parts(plans: KinematicPlans) -> _Parts:
             if centre is None:
                 continue
             apart = _apart(mechanism, crank.pivot, centre)
-            guide = slide.guide
-            off = (wheel.points[centre] - guide.through) * cmath.rect(
-                1.0, -math.radians(guide.angle)
-            )
-            if abs(off.imag) > CLEAR * abs(apart) or slide.offset:
+            if not _through(
+                wheel.points[centre], stone.points[crank.pin], slide, CLEAR * abs(apart)
+            ):
                 says = said(
-                    "the slot of link {n} has to go through its pivot {letter}",
+                    "slot and pin of link {n} have to go through its pivot {letter}: leave offset out, and "
+                    "let the pin stand in the middle of the slot",
                     n=slide.on,
                     letter=centre,
                 )
@@ -236,6 +231,13 @@ def _parts(plans: KinematicPlans) -> _Parts:
     raise StructureError(says, "geneva", head="geneva")
 
 
+def _through(centre: complex, pin: complex, slide: Slide, clear: float) -> bool:
+    """Whether the slot goes through a place of its link, and the pin, in the stone's axes, along its middle."""
+    off = (centre - slide.guide.through) * cmath.rect(1.0, -math.radians(slide.guide.angle))
+    beside = pin * cmath.rect(1.0, math.radians(slide.angle))
+    return max(abs(off.imag), abs(beside.imag), abs(slide.offset)) <= clear
+
+
 def _apart(mechanism: Mechanism, origin: str, centre: str) -> complex:
     return mechanism.frame.points[centre] - mechanism.frame.points[origin]
 
@@ -243,13 +245,17 @@ def _apart(mechanism: Mechanism, origin: str, centre: str) -> complex:
 def _refuse_beyond(bench: Bench, order: GenevaTask, plans: KinematicPlans, parts: _Parts) -> None:
     """Refuse positions in which the pin is in no slot: there the wheel stands, a slotted link turns back."""
     middle, half = math.degrees(cmath.phase(parts.apart)), 90.0 - 180.0 / order.slots
-    for name, angle in zip(bench.names, bench.coordinates, strict=True):
+    for k, (name, angle) in enumerate(zip(bench.names, bench.coordinates, strict=True)):
         if angle is None or abs((angle - middle + 180.0) % 360.0 - 180.0) <= half + ANGLES:
             continue
-        ends = (middle - half, middle + half)[:: plans.sense]
+        start, end = (round(middle + side * plans.sense * half, 3) for side in (-1, 1))
         says = said(
-            "in position {name} the pin is out of the slot: it enters at {start:g}° and leaves at {end:g}°; "
-            'write from = "{start:g} deg", to = "{end:g} deg" and no zero',
-            name=name, start=round(ends[0], 3), end=round(ends[1], 3),
+            "in position {name} the pin is out of the slot: it enters at {start:g}° and leaves at {end:g}°",
+            name=name, start=start, end=end,
         )  # fmt: skip
-        raise StructureError(says, "drive.from", head="geneva")
+        if k >= bench.count:
+            raise StructureError(says, "drive.extra", head="geneva")
+        remedy = said(
+            'write from = "{start:g} deg", to = "{end:g} deg" and no zero', start=start, end=end
+        )
+        raise StructureError(joined("; ", (says, remedy)), "drive.from", head="geneva")

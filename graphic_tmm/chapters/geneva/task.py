@@ -10,6 +10,8 @@ from graphic_tmm.scene.declare import Section, key
 from graphic_tmm.scene.tasks import SectionKey
 
 GENEVA = "geneva"
+PIN = 0.15
+"""Diameter of a pin that a scene does not give, of the crank; drawn wheels have 0.1 to 0.2."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +35,11 @@ class GenevaTask:
         "70 mm",
         None,
     )
+
+    @property
+    def spare(self) -> int:
+        """2·z − k·(z − 2): above 0 the wheel stands between two pins; below, two would be in slots at once."""
+        return 2 * self.slots - self.pins * (self.slots - 2)
 
 
 ASKED: SectionKey[GenevaTask] = SectionKey(GENEVA)

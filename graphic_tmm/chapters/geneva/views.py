@@ -10,11 +10,14 @@ from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import fixed, number
-from graphic_tmm.language.units import unit
+from graphic_tmm.language.units import small, unit
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.readers.result_table import results
 from graphic_tmm.scene.captions import captions
+
+DIGITS = {"mm": 1, "in": 3, "°": 1}
+"""Decimals by unit: as exact as a ruler and a protractor show them; other figures have four."""
 
 
 def wheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -29,9 +32,9 @@ def wheel_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     scale = f"μ_l = {number(mu, language)} {unit('m/mm', language)}"
     rows = []
     for name, (value, of) in single(figures(drawn)).items():
-        lengths = of == "m"
-        figure = fixed(1000.0 * value if lengths else value, 1 if of in ("m", "°") else 4, language)
-        rows.append([words[name], figure, unit("mm" if lengths else of, language) if of else "—"])
+        size, shown = small(value, language) if of == "m" else (value, of)
+        figure = fixed(size, DIGITS.get(shown, 4), language)
+        rows.append([words[name], figure, unit(shown, language) if shown else "—"])
     high = heights(drawn.scene, GENEVA)
     return [
         with_caption(draw_wheel(on, wheel), on, lettered, scale),

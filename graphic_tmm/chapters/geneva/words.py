@@ -22,5 +22,6 @@ CENTRES = said("The wheel's centre stands on the frame, at its distance from the
 SLOT_AT_ENTRY = said("At the entry a slot stands at half a pitch from the line of centres.")
 SLOT_AT_EXIT = said("At the exit the same slot stands at half a pitch on the other side.")
 ENTRY = said("The pin moves along the slot where the crank is square to it: there it enters.")
+EXIT = said("On the other side the crank is square to the slot again: there the pin leaves.")
 
 WORDS = Named(captions=CAPTIONS, plans=(GENEVA,), sources=("artobolevsky",))

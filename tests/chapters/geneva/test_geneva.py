@@ -29,6 +29,7 @@ FINE = math.radians(0.5)
 """Arcs become chords of so much of their turn."""
 SCENE = """title = "T"
 language = "en"
+units = "{units}"
 [frame]
 number = 4
 O = [0, 0]
@@ -38,14 +39,14 @@ number = 1
 points = {{ O = [0, 0], A = [{crank}, 0] }}
 [[link]]
 number = 2
-points = {{ A = [0, 0] }}
+points = {{ A = {pin} }}
 slides = {{ on = 3, along = "BC", side = "+" }}
 [[link]]
 number = 3
 points = {{ B = [0, 0], C = [0.1, 0] }}
 [drive]
 link = 1
-speed = "{speed} rad/s"
+{drive}
 turns = "{turns}"
 from = "{start} deg"
 to = "{end} deg"
@@ -61,13 +62,15 @@ format = "A1"
 
 def wheel_of(
     folder: Path, slots: int, apart: complex, *, sense: int = 1, pins: int = 1, off: float = 1.0,
-    beyond: float = 0.0, speed: float = 3.0, more: str = "",
+    beyond: float = 0.0, speed: float = 3.0, drive: str = "", pin: str = "[0, 0]", more: str = "",
+    units: str = "SI",
 ) -> Drawn:  # fmt: skip
     """Draw a wheel; ``off``: the crank by its due length, ``beyond``: degrees more than the engagement."""
     half = 90.0 - 180.0 / slots + beyond
     middle = math.degrees(cmath.phase(apart))
     text = SCENE.format(
-        x=repr(apart.real), y=repr(apart.imag), speed=speed, slots=slots, pins=pins, more=more,
+        x=repr(apart.real), y=repr(apart.imag), slots=slots, pins=pins, more=more, pin=pin,
+        drive=drive or f'speed = "{speed!r} rad/s"', units=units,
         crank=repr(off * abs(apart) * math.sin(math.pi / slots)),
         turns="counterclockwise" if sense > 0 else "clockwise",
         start=repr(middle - sense * half), end=repr(middle + sense * half),
@@ -164,12 +167,13 @@ def test_neither_pin_nor_disc_runs_into_the_wheel(
     assert (turned - pitch + math.pi) % math.tau - math.pi == pytest.approx(0.0, abs=1e-6)
 
 
+@pytest.mark.parametrize("sense", [1, -1])
 @pytest.mark.parametrize(
     ("slots", "share", "fastest"), [(4, 0.25, 2.414), (6, 1 / 3, 1.0), (3, 1 / 6, 6.464)]
 )
-def test_known_wheels(tmp_path: Path, slots: int, share: float, fastest: float) -> None:
+def test_known_wheels(tmp_path: Path, slots: int, share: float, fastest: float, sense: int) -> None:
     """The figures that books tabulate: share of motion (z − 2)/2z, sin/(1 − sin) of half a pitch."""
-    drawn = wheel_of(tmp_path, slots, 0.1 + 0j, speed=math.tau)
+    drawn = wheel_of(tmp_path, slots, 0.1 + 0j, speed=math.tau, sense=sense)
     found = {name: value for name, (value, _) in single(results(drawn)).items()}
     assert found["geneva_share"] == pytest.approx(share, abs=1e-9)
     assert found["geneva_share_by_slots"] == pytest.approx(share, abs=1e-12)
@@ -187,9 +191,37 @@ def test_the_fastest_turning_is_that_of_the_plan(tmp_path: Path) -> None:
     assert abs(drawn.reading.figure(speed)[0, 2]) / 3.0 == pytest.approx(ratio, rel=1e-9)
 
 
-def test_no_time_where_the_crank_stands(tmp_path: Path) -> None:
-    found = results(wheel_of(tmp_path, 4, 0.1 + 0j, speed=0.0))
-    assert not {"geneva_motion", "geneva_dwell"} & set(found)
+TIMES = {"geneva_motion", "geneva_dwell"}
+
+
+@pytest.mark.parametrize(
+    "drive", ['speed = "0 rad/s"', 'speed = "3 rad/s"\nacceleration = "2 rad/s2"']
+)
+def test_no_time_where_the_crank_turns_unevenly(tmp_path: Path, drive: str) -> None:
+    found = results(wheel_of(tmp_path, 4, 0.1 + 0j, drive=drive))
+    assert not TIMES & set(found)
+
+
+@pytest.mark.parametrize(("slots", "pins"), [(3, 6), (4, 4), (4, 5), (6, 3), (10, 3)])
+def test_no_dwell_where_pins_follow_each_other(tmp_path: Path, slots: int, pins: int) -> None:
+    assert TIMES & set(results(wheel_of(tmp_path, slots, 0.1 + 0j, pins=pins))) == {"geneva_motion"}
+
+
+@pytest.mark.parametrize(("slots", "pins"), [(3, 1), (4, 1), (6, 2), (12, 1)])
+def test_the_disc_holds_the_wheel_in_the_dwell(tmp_path: Path, slots: int, pins: int) -> None:
+    """While no pin is in a slot, the wheel cannot be turned by a degree either way but runs into the disc."""
+    apart = 0.1 + 0.03j
+    drawn = wheel_of(tmp_path, slots, apart, pins=pins)
+    view = draw_wheel(subject(drawn, ""), GENEVA_PLAN.on(drawn))
+    cross = max(faces(view, "wheel"), key=lambda shape: shape.area)
+    (disc,) = faces(view, "disc")
+    centre = apart / abs(apart) * drawn.value(GENEVA_PLAN.on(drawn).apart)
+    engaged = math.pi - math.tau / slots
+    # as drawn the pin enters, and the wheel stands as it did in the dwell before
+    for share in (0.02, 0.5, 0.98):
+        before = moved(disc, 0j, -share * (math.tau / pins - engaged))
+        for side in (-1.0, 1.0):
+            assert moved(cross, centre, side * math.radians(1.0)).intersection(before).area > 0.01
 
 
 def said_of(drawn: Drawn) -> Iterator[str]:
@@ -200,7 +232,11 @@ def said_of(drawn: Drawn) -> Iterator[str]:
     ("case", "says"),
     [
         ({"off": 1.01}, "shock"),
-        ({"pins": 4}, "before another has left"),
+        ({"pins": 5}, "before another has left"),
+        ({"pins": 4}, "never stands"),
+        ({"more": 'pin = "44 mm"\nlock = "40 mm"'}, "run into each other"),
+        ({"more": 'lock = "20 mm"'}, "does not reach"),
+        ({"more": 'pin = "50 mm"'}, "take a smaller pin, or give lock"),
         ({"more": 'pin = "120 mm"\nlock = "10 mm"'}, "wheel's centre"),
         ({"more": 'lock = "80 mm"'}, "change lock"),
     ],
@@ -211,6 +247,26 @@ def test_what_does_not_work_is_told(tmp_path: Path, case: dict[str, object], say
 
 def test_a_good_wheel_is_left_in_peace(tmp_path: Path) -> None:
     assert not list(said_of(wheel_of(tmp_path, 4, 0.1 + 0j)))
+
+
+def test_sizes_are_printed_in_the_units_of_the_scene(tmp_path: Path) -> None:
+    """A crank of 1.1·0.4·sin 45° m is 12.25 in."""
+    drawn = wheel_of(tmp_path, 4, 0.4 + 0j, off=1.1, units="imperial")
+    (shock,) = (text for text in warnings(drawn, "en-u-ms-ussystem") if "shock" in text)
+    assert "12.25 in" in shock
+    assert "11.14 in" in shock
+
+
+def test_a_pin_at_the_side_of_its_slot_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(StructureError, match="middle of the slot"):
+        wheel_of(tmp_path, 4, 0.1 + 0j, pin='[0, "8 mm"]')
+
+
+def test_a_position_of_ones_own_beyond_the_engagement_is_told_by_its_key(tmp_path: Path) -> None:
+    with pytest.raises(StructureError) as caught:
+        wheel_of(tmp_path, 4, 0.1 + 0j, drive='speed = 3\nextra = ["60 deg"]')
+    assert caught.value.keys == ("drive.extra",)
+    assert "from =" not in str(caught.value)
 
 
 def test_positions_beyond_the_engagement_are_refused(tmp_path: Path) -> None:
