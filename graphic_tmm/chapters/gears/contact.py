@@ -134,6 +134,10 @@ ROUNDING = 64 * EPS
 """A value that is short of its limit by less than this share of what it is made of stands on it."""
 
 
+LEAST_RATIO = 1.0
+"""The contact ratio below which a pair of teeth leaves before the next one touches."""
+
+
 @dataclass(frozen=True)
 class Check:
     """``value`` shall not be less than ``least`` (both Number); ``scale``: the size of what they are made of.
@@ -167,7 +171,7 @@ def record_checks(draft: Draft, sizes: GearSizes) -> tuple[Check, ...]:
     """Record the limits of the checks."""
     draft.open(VIEW)
     zero = draft.take(Number, "0", 0.0, "m")
-    one = draft.take(Number, "[ε_{α}]", 1.0)
+    one = draft.take(Number, "[ε_{α}]", LEAST_RATIO)
     teeth, found = float(sum(sizes.order.teeth)), []
     size = sizes.order.m * teeth
     for wheel in sizes.wheels:

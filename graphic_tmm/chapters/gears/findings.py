@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.gears.contact import verdicts
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
+from graphic_tmm.chapters.gears.shift_chart import chart_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -57,6 +58,10 @@ FAILS = {
 def failures(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield each check that fails, a sentence each; of a pointed tooth its thickness is none to tell."""
     made, _ = GEARS_PLAN.on(drawn), speaking(language)
+    if made.order.chart and chart_of(made.order) is None:
+        yield _(
+            "no shifts give wheels of these teeth that can mesh: the chart of shifts is left out"
+        )
     fails = [one for one in verdicts(made.checks, drawn.reading) if not one.holds]
     pointed = {one.wheel for one in fails if one.name == "pointed tooth"}
     ringed = any(one.name == "ring tip" for one in fails)  # tells of the same tips

@@ -39,7 +39,9 @@ def _second(value: object, names: Names) -> int:
 
 
 _SECOND = Kind(_second, {"anyOf": [_COUNT.schema, RING.schema]}, _COUNT)
-_SHIFT = v.number(Bound(-5, 5))
+LARGEST_SHIFT = 5.0
+"""Shifts that are given lie between minus and plus so much."""
+_SHIFT = v.number(Bound(-LARGEST_SHIFT, LARGEST_SHIFT))
 _SUM = v.number(Bound(-10, 10))
 _HELIX = v.number(Bound(0, 60, below=True), "angle")
 
@@ -79,7 +81,8 @@ class GearTask:
     tip, in modules; no scene sets it. ``stations``: further distances from N1 along the drawn line of action,
     mm, at which the specific sliding is found. ``mu`` (m/mm) and ``mu_sliding`` (1/mm): scales if the task
     fixes them, else standard ones are chosen. ``axes``: the centre distance on the sheet, mm, from which μ_l
-    follows instead.
+    follows instead. ``chart``: the region of x1 and x2 in which a pair can mesh is drawn, with those that are
+    taken.
     """
 
     z1: int = key(_TEETH, "teeth of the driving wheel", 15)
@@ -122,6 +125,7 @@ class GearTask:
     speed: float | None = key(
         v.quantity("angular speed", POSITIVE), "speed of wheel 1", "100 rpm", None, symbol="ω_1"
     )
+    chart: bool = key(v.SWITCH, "whether the shifts that the teeth may have are shown", True, False)
 
     @property
     def addenda(self) -> tuple[float, float]:

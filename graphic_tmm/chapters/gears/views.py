@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from graphic_tmm.chapters.gears.contact import Verdict, verdicts
 from graphic_tmm.chapters.gears.ink import draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rolling import NAME as ROLLING
 from graphic_tmm.chapters.gears.ink_rolling import draw_rolling_ink
+from graphic_tmm.chapters.gears.ink_shifts import NAME as CHART
+from graphic_tmm.chapters.gears.ink_shifts import draw_shifts_ink
 from graphic_tmm.chapters.gears.ink_sliding import draw_sliding_ink
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear
 from graphic_tmm.chapters.gears.shifts import letter_of
@@ -14,7 +18,7 @@ from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import Tongues, speaking
-from graphic_tmm.language.numbers import fixed
+from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.blocks import breakable
@@ -54,9 +58,22 @@ def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     for k, name in enumerate((f"{ROLLING}-1", f"{ROLLING}-2")):
         on = subject(drawn, words[name], "gears", name=name)
         found.append(with_caption(draw_rolling_ink(on, made, k), on, lettered, mu_l))
+    if made.order.chart:
+        found.extend(_chart(drawn, made, lettered))
     found.append(dimension_table(drawn, language, words["gear-dimensions"], high))
     found.append(sliding_table(drawn, language, words["sliding"], high))
     return [*found, _checks(drawn, made, high)]
+
+
+def _chart(drawn: Drawn, made: Gear, lettered: bool) -> Iterator[Drawing]:
+    """Yield the shifts that the teeth may have, if there are any."""
+    language = drawn.scene.language
+    on = subject(drawn, captions(language)[CHART], "gears", name=CHART)
+    if (chart := draw_shifts_ink(on, made)) is not None:
+        view, mu = chart
+        scale = f"μ_x = {number(mu, language)} {unit('1/mm', language)}"
+        x1, x2 = (number(drawn.value(wheel.x), language) for wheel in made.sizes.wheels)
+        yield with_caption(view, on, lettered, scale, f"K: x_1 = {x1}, x_2 = {x2}")
 
 
 def _ratios(drawn: Drawn) -> list[str]:

@@ -14,6 +14,7 @@ CAPTIONS: dict[str, str] = {
     "gear-dimensions": said("Dimensions of the gear pair"),
     "gear-rolling-1": said("Construction of a tooth of wheel 1"),
     "gear-rolling-2": said("Construction of a tooth of wheel 2"),
+    "gear-shifts": said("Chart of shifts"),
     "gear-calculation": said("Calculation of the gear pair"),
     "sliding": said("Specific sliding"),
     "gear_ratio": "u_{12}",
