@@ -6,13 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.arc_cam.contour import VIEW, draw_contour
-from graphic_tmm.chapters.arc_cam.follower import draw_follower
+from graphic_tmm.chapters.arc_cam.contour import VIEW
 from graphic_tmm.chapters.arc_cam.ink import (
     BEYOND,
     CROSS,
@@ -24,7 +21,7 @@ from graphic_tmm.chapters.arc_cam.ink import (
     lever_face,
     rod,
 )
-from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, ArcCam
+from graphic_tmm.chapters.arc_cam.plan import ARC_CAM_PLAN, marks
 from graphic_tmm.chapters.arc_cam.table import PLAN
 from graphic_tmm.chapters.cam.ink import shaft
 from graphic_tmm.drawn import Drawn
@@ -45,6 +42,7 @@ from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.seen import finite
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot
 from graphic_tmm.paper.views import mu_text
+from graphic_tmm.readers.any_angles.motion import at_angles
 
 
 def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
@@ -54,7 +52,9 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     language, mu = drawn.scene.language, drawn.value(made.contour.mu)
     _ = speaking(language)
     on = subject(drawn, _("Cam with its follower"), PLAN)
-    ink, far = ContourInk(on, made), travels(made, mu)
+    high = at_angles(drawn, np.arange(float(WHOLE)))[marks(made)["S"]][0]
+    ink, high = ContourInk(on, made), high * drawn.value(made.charts["S"].mu)
+    far = np.degrees(high) if made.order.rocks else high / mu
     if not (finite(complex(ink.points[0])) and np.isfinite(far).all()):
         return
     cam = (*contour_ways(ink), *contour_body(ink))
@@ -64,7 +64,7 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     axes = tuple(shaft(made.contour.origin, reach, made.sense))
     rocks = made.order.rocks
     place = (
-        ("ψ", "°", 1, row(far)) if rocks else ("S", unit("mm", language), 1, row(1000.0 * mu * far))
+        ("ψ", "°", 1, row(far)) if rocks else ("S", unit("mm", language), 1, row(1000.0 * high))
     )
     yield TurningPicture(
         on.title,
@@ -73,23 +73,6 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
         (RigidBody(cam, (Rotation(0j, float(made.sense)),)), *_follower(ink, far)),
         (TurningValue("φ", "°", 0, 1.0), TurningValue(*place)),
     )
-
-
-def travels(made: ArcCam, mu: float) -> Reals:
-    """Return how far the follower has gone at every degree: mm on the drawing, of a lever degrees.
-
-    The same steps as those of the sheet, at other positions; ``mu``: to its scale.
-    """
-    order, lie = made.order, made.lie
-    degrees = np.arange(float(min(WHOLE, int(lie.work) + 1)))
-    draft = Draft()
-    contour = draw_contour(draft, order, mu, made.sense, lie.changes[0])
-    numbers = np.asarray(degrees * (order.parts / lie.work), dtype=np.float64)
-    follower = draw_follower(draft, order, contour, lie, numbers, made.sense)
-    reading = execute(draft.board.construction(), draft.given, (follower.travel,))
-    found = np.zeros(WHOLE)
-    found[: len(degrees)] = np.broadcast_to(reading[follower.travel][0], degrees.shape)
-    return found
 
 
 def _follower(ink: ContourInk, far: Reals) -> Iterator[RigidBody]:

@@ -12,7 +12,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.cam.flat_rocker import FaceLever
@@ -44,14 +43,12 @@ from graphic_tmm.page.turning import (
     TurningValue,
     row,
 )
-from graphic_tmm.paper.clipping import points
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot
 from graphic_tmm.paper.views import mu_text
+from graphic_tmm.readers.any_angles.motion import at_angles
 from graphic_tmm.scene.captions import captions
 
-FINE = 32
-"""So many points tell an arc of the diagram between two positions: as exactly as lines are broad."""
 BESIDE = 5.0
 """How far a face goes on behind its contacts, mm."""
 
@@ -65,8 +62,10 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     language = drawn.scene.language
     on = subject(drawn, captions(language)["cam scheme"], "cam")
     ink = CamInk(on, cam, VIEW)
-    high = displacements(ink)
-    follower = _follower(ink, high * drawn.value(cam.diagrams.S.chart.mu))
+    diagram = cam.diagrams.S
+    high = at_angles(drawn, np.arange(float(WHOLE)))[diagram.reading][0]
+    high = high * drawn.value(diagram.chart.mu)
+    follower = _follower(ink, high)
     reach = ink.arc((cam.profile.outer or cam.profile.working).upper, 0)[1] + CROSS
     if follower is None or not math.isfinite(reach):
         return
@@ -81,7 +80,6 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     axes = tuple(shaft(cam.profile.centre, reach, cam.sense))
     rocks, letter = cam.order.rocks, cam.order.letters["S"]
     told = np.degrees(high) if rocks else 1000.0 * high
-    told *= drawn.value(cam.diagrams.S.chart.mu)
     yield TurningPicture(
         on.title,
         mu_text(Scale("μ_l", drawn.value(cam.profile.mu), "m/mm"), language),
@@ -92,23 +90,6 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
             TurningValue(letter, "°" if rocks else unit("mm", language), 1, row(told)),
         ),
     )
-
-
-def displacements(ink: CamInk) -> Reals:
-    """Return how high the diagram of S stands at every degree of the turn, mm; NaN where it is not there."""
-    diagrams = ink.cam.diagrams
-    origin = ink.point(diagrams.S.axes.origin, 0)
-    whole = ink.fixed_number(diagrams.base.length)
-    runs = [run for curve in diagrams.S.curves for run in bezier(ink.reading[curve])]
-    if len(runs) < len(diagrams.S.curves):
-        return np.full(WHOLE, np.nan)
-    spots = (
-        np.concatenate([points(run.tolist(), FINE * (len(run) // 3) + 1) for run in runs]) - origin
-    )
-    angles = WHOLE * spots.real / whole
-    ends = np.concatenate([angles[-1:] - WHOLE, angles, angles[:1] + WHOLE])
-    heights = np.concatenate([spots.imag[-1:], spots.imag, spots.imag[:1]])
-    return np.asarray(np.interp(np.arange(WHOLE), ends, heights))
 
 
 class _Placed(NamedTuple):

@@ -112,6 +112,11 @@ class Recorded:
         return self.slices[name]
 
 
+def at_angles(drawn: Drawn, angles: Reals) -> Mapping[Mark, Any]:
+    """Return what chapters know of a board of its own, as drawn, at angles of what drives it, degrees."""
+    return Recorded(drawn, (), WHOLE).known(angles[None, :])
+
+
 @cache
 def _boards() -> Mapping[str, str]:
     """Return the plans of boards other than the mechanism's, each with its board."""

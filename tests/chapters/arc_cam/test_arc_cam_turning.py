@@ -10,6 +10,10 @@ import shapely
 from support.gallery import SHEETS
 from support.turned import inside, laid, picture
 
+from graphic_tmm import motion
+from graphic_tmm.page.turning import PLACES
+from graphic_tmm.scene.read import read
+
 HEAD = 'title = "T"\nlanguage = "en"\n[arc_cam]\nspeed = "600 rpm"\nparts = 12\nnose = "7 mm"\n'
 ARCS = HEAD + 'base = "20 mm"\ndistance = "22 mm"\nflank = "60 mm"\n'
 CASES = {
@@ -39,3 +43,14 @@ def test_the_follower_touches_the_arcs(tmp_path: Path, case: str) -> None:
         assert own.distance(profile) < NEAR, turn
         sides.append(own.bounds)
     assert np.ptp(sides, axis=0).max() > 3.0, "it has gone somewhere"
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_page_and_motion_tell_the_same(tmp_path: Path, case: str) -> None:
+    """At every degree of the turn, mm or degrees."""
+    place = picture(tmp_path, CASES[case]).values[1]
+    path = Path(CASES[case]) if "\n" not in CASES[case] else tmp_path / "scene.toml"
+    due = motion(read(path), np.arange(360.0), plans="arc_cam", exact=True).columns["S"]
+    due = np.degrees(due) if place.unit == "°" else 1000.0 * due
+    assert isinstance(place.course, tuple)
+    np.testing.assert_allclose(place.course, due, rtol=0.0, atol=10.0**-PLACES)

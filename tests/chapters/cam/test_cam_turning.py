@@ -12,7 +12,8 @@ from support.gallery import SHEETS
 from support.scenes import written
 from support.turned import inside, laid, picture, points
 
-from graphic_tmm.page.turning import turning_pictures
+from graphic_tmm import motion
+from graphic_tmm.page.turning import PLACES, turning_pictures
 from graphic_tmm.scene.read import read
 
 HEAD = """title = "T"
@@ -41,6 +42,8 @@ CASES = {
     + 'stroke = "25 deg"\nlaw = "sine"\nfollower = "rocker"\nlever = "80 mm"\n'
     + 'centres = "100 mm"\nroller = "10 mm"\nturns = "clockwise"\n',
 }
+ROUNDED = 10.0**-PLACES
+"""The last decimal that the page is told."""
 TURNS = np.arange(0.0, 360.0, 3.7)
 NEAR = 0.1
 """A line is three times as broad; profile and diagram pass their positions by curves of their own."""
@@ -71,7 +74,18 @@ def test_what_is_told_is_the_law(tmp_path: Path) -> None:
     assert len(place.course) == 360
     due = {0: 0.0, 25: 28.0 * (0.25 - 1 / (2 * np.pi)), 50: 14.0, 110: 28.0, 165: 14.0, 300: 0.0}
     for angle, far in due.items():
-        assert place.course[angle] == pytest.approx(far, abs=0.01), angle
+        assert place.course[angle] == pytest.approx(far, abs=ROUNDED), angle
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_page_and_motion_tell_the_same(tmp_path: Path, case: str) -> None:
+    """At every degree of the turn, mm or degrees: also where it lies between two positions."""
+    place = picture(tmp_path, CASES[case]).values[1]
+    path = Path(CASES[case]) if "\n" not in CASES[case] else tmp_path / "scene.toml"
+    due = motion(read(path), np.arange(360.0), plans="cam", exact=True).columns["S"]
+    due = np.degrees(due) if place.unit == "°" else 1000.0 * due
+    assert isinstance(place.course, tuple)
+    np.testing.assert_allclose(place.course, due, rtol=0.0, atol=ROUNDED)
 
 
 def test_a_roller_in_a_groove_touches_both_flanks(tmp_path: Path) -> None:
