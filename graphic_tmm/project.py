@@ -30,6 +30,8 @@ from graphic_tmm.scene.chapter import (
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.tasks import calls_for
 
+DECIMALS = 9
+"""Decimals to which a board of its own tells the angles of its positions, °."""
 CRANK, EVEN = "crank", "even"
 """What a chapter says that takes only mechanisms which one crank drives, all round; whose drive goes evenly."""
 
@@ -159,6 +161,8 @@ class Bench:
         sweep: Sweep | None = None,
     ) -> None:
         """Tell the positions: their names and coordinates, how many make the row; of what drive these are."""
+        if sweep is None:
+            coordinates = (round(float(one), DECIMALS) for one in coordinates if one is not None)
         self.names, self.coordinates, self.count = tuple(names), tuple(coordinates), count
         self.sweep = sweep
 

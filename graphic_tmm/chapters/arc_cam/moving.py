@@ -63,9 +63,7 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     letter = Wanted("O", 0j, ink.heights.point, 2.5, 1j - free, (made.contour.origin.slot,))
     axes = tuple(shaft(made.contour.origin, reach, made.sense))
     rocks = made.order.rocks
-    place = (
-        ("ψ", "°", 1, row(far)) if rocks else ("S", unit("mm", language), 1, row(1000.0 * high))
-    )
+    place = ("ψ", "°", 1, row(far)) if rocks else ("S", unit("mm", language), 1, row(1000.0 * high))
     yield TurningPicture(
         on.title,
         mu_text(Scale("μ_l", mu, "m/mm"), language),

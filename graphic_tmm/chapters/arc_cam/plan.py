@@ -58,7 +58,7 @@ def record(bench: Bench) -> ArcCam | None:
         return None
     made = draw_arc_cam(bench.draft, order, bench.sizes.get(ARC_CAM, 1.0))
     names = [*map(str, range(order.parts + 1)), *_changes(made.lie, order.parts)]
-    bench.stand(names, [round(angle, 9) for angle in made.angles], order.parts)
+    bench.stand(names, made.angles, order.parts)
     return made
 
 

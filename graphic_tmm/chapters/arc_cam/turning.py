@@ -15,7 +15,7 @@ from graphic_tmm.chapters.arc_cam.record import BESIDE, Aside
 from graphic_tmm.chapters.arc_cam.task import ARC_CAM
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning, TurnQuantity
+from graphic_tmm.readers.any_angles.turn import ENDS, Between, Turn, Turning, TurnQuantity
 
 
 def quantities(project: Project) -> Iterator[TurnQuantity]:
@@ -55,7 +55,7 @@ def between(drawn: Drawn, turn: Turn) -> Between:
     assert turn.angles is not None
     phi = np.mod(turn.angles, TURN)
     shares = np.minimum(phi / made.lie.work, 1.0)
-    numbers, rests = shares * made.order.parts, phi > made.lie.work
+    numbers, rests = shares * made.order.parts, phi > made.lie.work + ENDS
     known: dict[Mark, Any] = {m: numbers for m in log.given if m.role == roles.STATION}
     known |= {m: row(numbers) for m, row in made.follower.rows.items()}
     known |= {m: row(shares) for m, row in BESIDE.on(drawn).plans.rows.items()}

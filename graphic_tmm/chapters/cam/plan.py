@@ -110,8 +110,7 @@ def record(bench: Bench) -> Cam | None:
         order = replace(order, mu_l=standard_length(mu / share, 1.0))
     made = draw_cam(bench.draft, order)
     turn = made.diagrams.turn
-    angles = [round(float(angle), 9) for angle in turn.angles]
-    bench.stand((str(k) for k in range(turn.positions)), angles, 0)
+    bench.stand((str(k) for k in range(turn.positions)), turn.angles, 0)
     return made
 
 

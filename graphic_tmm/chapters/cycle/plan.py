@@ -32,7 +32,7 @@ from graphic_tmm.chapters.flywheel.rim import draw_rim
 from graphic_tmm.chapters.flywheel.task import VIEWS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.project import Bench
+from graphic_tmm.project import DECIMALS, Bench
 from graphic_tmm.scene.chapter import Recorded
 
 
@@ -53,7 +53,7 @@ def record(bench: Bench) -> Cycle | None:
     if order is None:
         return None
     step = 360.0 * order.turns / order.positions
-    angles = [round(step * k, 9) for k in range(order.positions)]
+    angles = [round(step * k, DECIMALS) for k in range(order.positions)]
     bench.stand((str(k) for k in range(order.positions)), angles, order.positions)
     return draw_cycle(bench.draft, order, angles)
 

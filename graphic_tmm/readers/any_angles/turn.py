@@ -13,14 +13,14 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Curve, Number, Reals
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.project import Project
+from graphic_tmm.project import DECIMALS, Project
 from graphic_tmm.scene.chapter import Answer
 from graphic_tmm.scene.records import Scene
 
 PLACE = Mark(-1, "i", Number, "")
 """Where in the row an angle is, in intervals of it, for who runs steps of `Turning.read_off` by himself."""
-ENDS = 1e-9
-"""A place so near the end of a row is there, °."""
+ENDS = 10.0**-DECIMALS
+"""A place so near the end of a row is there, °: a position tells its angle rounded by half as much."""
 Between = Mapping[Mark, object]
 """Values of marks at the angles of a turn."""
 

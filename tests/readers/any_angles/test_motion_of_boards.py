@@ -147,7 +147,18 @@ def test_a_law_that_is_integrated_is_read_off_its_curves() -> None:
 
 @pytest.mark.parametrize("exact", [False, True])
 def test_at_the_positions_it_is_what_the_table_has(exact: bool) -> None:
-    one = read(SHEETS / "two-lifts")
+    as_in_the_table(read(SHEETS / "two-lifts"), exact=exact)
+
+
+@pytest.mark.parametrize("kind", ["offset", "along", "flat", "edge", "against"])
+def test_at_the_end_of_the_lift_it_is_what_the_table_has(kind: str) -> None:
+    """The table tells its angles rounded: some of them just behind the lift."""
+    for k in range(3):
+        order = arc_cams.random_order(random.Random(f"{kind} {k}"), kind, "convex")
+        as_in_the_table(scene(arc_cam=replace(order, speed=SPEED)), exact=True)
+
+
+def as_in_the_table(one: Scene, *, exact: bool) -> None:
     (board,) = make(one, exact=exact).boards
     columns = {c.segment: c for c in columns_of(board)}
     places = np.array([p for _, p in columns["S"].at], dtype=float)
