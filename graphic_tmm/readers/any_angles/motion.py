@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, partial
 from itertools import chain
@@ -20,7 +21,7 @@ from graphic_tmm.board.hand import EXACT
 from graphic_tmm.board.record import Mark, again, kept
 from graphic_tmm.board.values import Reals
 from graphic_tmm.drawn import Drawn, Numbers, doubted, hand_of
-from graphic_tmm.errors import ConstructionError
+from graphic_tmm.errors import ConstructionError, TmmError
 from graphic_tmm.fitting.scales import chosen, reach_of
 from graphic_tmm.fitting.sizes import usual
 from graphic_tmm.language.said import joined, said
@@ -42,6 +43,7 @@ from graphic_tmm.readers.any_angles.turn import (
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.misfits import meant
 from graphic_tmm.scene.records import Scene, SheetOrder
+from graphic_tmm.studio import make
 
 WHOLE = 360.0
 """Degrees of a turn."""
@@ -146,6 +148,38 @@ def _recorded(scene: Scene, plans: frozenset[str], *, exact: bool) -> Recorded:
         for chapter in chapters(MECHANISM):
             if chapter.always or plans & {place.name for place in chapter.places}:
                 scene = Turning.of(chapter).free(scene)
+    sheet = None if exact or board == MECHANISM else _on_its_sheet(scene, board, plans)
+    sheet = sheet or _on_usual_sheet(scene, board, plans, exact=exact)
+    project, log = sheet.project, sheet.construction
+    told = chain.from_iterable(Turning.of(chapter).told(project) for chapter in project.chapters)
+    rows = tuple(row for row in told if row.plan in plans)
+    if board != MECHANISM:
+        outside = dict.fromkeys(row.mark for row in rows if row.mark.slot < 0)
+        log = log._replace(given=(*log.given, *outside))
+        sheet = replace(sheet, project=replace(project, construction=log))
+        return Recorded(sheet, rows, WHOLE)
+    by = next(mark for mark in log.given if mark.role == roles.ROW)
+    row = np.asarray(sheet.given[by], dtype=float)[0]
+    steps = open_row(scene, row)
+    if steps is not None:
+        whole = math.copysign(float(steps[-1]), float(row[steps.size - 1]))
+    else:
+        whole = float(round(float(row[1]) * project.count)) if project.count > 1 else WHOLE
+    return Recorded(sheet, rows, whole, steps)
+
+
+def _on_its_sheet(scene: Scene, board: str, plans: frozenset[str]) -> Drawn | None:
+    """Return a board of its own as its sheet has it; None where none of its sheets can be drawn.
+
+    What is chosen of readings, a radius in whole millimetres, hangs on the scales to which they are read.
+    """
+    with suppress(TmmError):
+        return next((one for one in make(scene, wanted=plans).boards if one.board == board), None)
+    return None
+
+
+def _on_usual_sheet(scene: Scene, board: str, plans: frozenset[str], *, exact: bool) -> Drawn:
+    """Return a board to the scales of an A1 that shows the plans alone."""
     scene = replace(scene, sheets=(SheetOrder(USUAL, tuple(sorted(plans))),))
     project = record_project(scene, board, wanted=plans)
     hand = EXACT if exact else hand_of(scene)
@@ -154,9 +188,8 @@ def _recorded(scene: Scene, plans: frozenset[str], *, exact: bool) -> Recorded:
         # read exactly, the same comes out to any scale, and to 1 SI unit a millimetre it is in SI
         reach = reach_of(project, doubted(project))
         given |= chosen(project, usual(scene), reach)[0]
-    log = project.construction
-    reading = execute(log, given, hand=hand)
-    sheet = Drawn(
+    reading = execute(project.construction, given, hand=hand)
+    return Drawn(
         project,
         given,
         {},
@@ -167,21 +200,6 @@ def _recorded(scene: Scene, plans: frozenset[str], *, exact: bool) -> Recorded:
         sizes={},
         reach={},
     )
-    told = chain.from_iterable(Turning.of(chapter).told(project) for chapter in project.chapters)
-    rows = tuple(row for row in told if row.plan in plans)
-    if board != MECHANISM:
-        outside = dict.fromkeys(row.mark for row in rows if row.mark.slot < 0)
-        log = log._replace(given=(*log.given, *outside))
-        sheet = replace(sheet, project=replace(project, construction=log))
-        return Recorded(sheet, rows, WHOLE)
-    by = next(mark for mark in log.given if mark.role == roles.ROW)
-    row = np.asarray(given[by], dtype=float)[0]
-    steps = open_row(scene, row)
-    if steps is not None:
-        whole = math.copysign(float(steps[-1]), float(row[steps.size - 1]))
-    else:
-        whole = float(round(float(row[1]) * project.count)) if project.count > 1 else WHOLE
-    return Recorded(sheet, rows, whole, steps)
 
 
 def _board_of(plans: Collection[str]) -> str:

@@ -6,6 +6,7 @@ import random
 from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -13,11 +14,13 @@ import pytest
 from support import arc_cams, cams
 from support import train_oracle as rolling
 from support.gallery import SHEETS
+from support.scenes import written
 
 import graphic_tmm
 from graphic_tmm.chapters.arc_cam.task import ArcTask
 from graphic_tmm.chapters.cam.kinds import FlatFollower, FlatRockerFollower, RockerFollower
 from graphic_tmm.chapters.cam.kinds import RollerFollower as Roller
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.cam.task_motion import Law, Stage
 from graphic_tmm.chapters.gears.task import GearTask
@@ -166,6 +169,18 @@ def as_in_the_table(one: Scene, *, exact: bool) -> None:
     for name, row in found.columns.items():
         value = np.ravel(columns[name].value)
         np.testing.assert_allclose(row, value, atol=1e-9 * np.abs(value).max(), err_msg=name)
+
+
+@pytest.mark.parametrize(("format", "r0"), [("A4", 0.023), ("A1", 0.024)])
+def test_it_is_the_cam_of_its_own_sheet(tmp_path: Path, format: str, r0: float) -> None:
+    """To a smaller scale the least radius reads otherwise, and another whole millimetre is chosen."""
+    text = 'title = "T"\nlanguage = "en"\n[cam]\nstroke = "19 mm"\nrise = "120 deg"\n'
+    text += 'upper_dwell = "30 deg"\nfall = "120 deg"\n[[sheet]]\nplace = ["cam"]\n'
+    one = read(written(tmp_path, f'{text}format = "{format}"\n'))
+    (board,) = make(one).boards
+    assert board.value(CAM_PLAN.on(board).r0) == pytest.approx(r0)
+    found = graphic_tmm.motion(one, 0.0)
+    assert abs(found.profile["B"][0]) == pytest.approx(r0)
 
 
 @pytest.mark.parametrize("flank", ["convex", "straight", "hollow", "unlike"])
