@@ -296,6 +296,14 @@ def is_a(value: object, dimension: Dimension) -> bool:
     return unit is not None and unit.dimension == dimension
 
 
+def last_digit(value: str | float) -> str | float:
+    """Return one of the last digit of a quantity as it is written: of "0.80 mm" 0.01 mm."""
+    match = _QUANTITY.fullmatch(spoken(value)) if isinstance(value, str) else None
+    number = match[1].replace(",", ".") if match else str(value)
+    one = f"1e{Decimal(number).as_tuple().exponent}"
+    return f"{one} {match[2]}" if match else float(one)
+
+
 def in_kgf(value: object) -> bool:
     """Whether a quantity in kgf or lbf stands in a value, in its lists or its tables."""
     if isinstance(value, dict):

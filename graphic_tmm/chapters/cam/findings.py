@@ -11,12 +11,12 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.cam import words_drum
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
-from graphic_tmm.chapters.cam.laws.table import FEW, SHOCK, table_of
+from graphic_tmm.chapters.cam.laws.table import FEW, ROUGH, table_of
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.refusals import SLACK
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.task import FlatFollower
-from graphic_tmm.chapters.cam.task_motion import BY_TABLE
+from graphic_tmm.chapters.cam.task_motion import BY_TABLE, size_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -143,25 +143,33 @@ _TABLE = {
         "the acceleration of the table of phase {k} changes its sign {waves} times: that is noise of its "
         "figures, give more digits of them or fewer lines"
     ),
+    "rough": said(
+        "the table of phase {k} is rounded to {digit}: by that alone d²S/dφ² may be off by {percent:.0f} % of "
+        "its largest, give more digits or fewer lines"
+    ),
 }
 """Of a law given by a table."""
 
 
 def of_tables(cam: Cam, language: str) -> Iterator[str]:
-    """Yield, as sentences, what tables of displacements leave open: few lines, a shock, noise."""
+    """Yield, as sentences, what tables of displacements leave open: few lines, a shock, noise, rounding."""
     _ = speaking(language)
     for phase in cam.diagrams.turn.phases:
         if phase.law.name != BY_TABLE:
             continue
-        table, k = table_of(phase.law.points), phase.number
+        table, k = table_of(phase.law), phase.number
         mean = (phase.motion.stroke or 0.0) / np.radians(phase.extent)
         if table.steps < FEW:
             yield _(_TABLE["few"], k=k, steps=table.steps, few=FEW)
-        for way, speed in zip(("begins", "ends"), table.speeds[:: phase.sign], strict=True):
-            if speed > SHOCK:
+        ends = list(zip(table.speeds, table.shocks, strict=True))[:: phase.sign]
+        for way, (speed, shock) in zip(("begins", "ends"), ends, strict=True):
+            if shock:
                 yield _(_TABLE[way], k=k, speed=phase.sign * speed * mean)
         if table.waves > 2:
             yield _(_TABLE["noise"], k=k, waves=table.waves)
+        elif table.rough > ROUGH:
+            digit = size_of(table.digit * (phase.motion.stroke or 0.0), cam.order.rocks)
+            yield _(_TABLE["rough"], k=k, digit=digit, percent=100.0 * min(table.rough, 1.0))
 
 
 class CamFinding(NamedTuple):

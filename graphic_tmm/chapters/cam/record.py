@@ -77,7 +77,7 @@ def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
 def _factors(phase: Phase) -> tuple[float, float]:
     """Return the largest dS/dφ and d²S/dφ² of a law, of h/Φ and h/Φ²."""
     if phase.law.name == BY_TABLE:
-        return table_of(phase.law.points).peaks
+        return table_of(phase.law).peaks
     if phase.law.name != BY_DIAGRAM:
         drawn, split = laws()[phase.law.name], phase.law.split
         return (

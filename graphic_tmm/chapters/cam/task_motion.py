@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from itertools import accumulate
 from pkgutil import resolve_name
 from typing import Any
@@ -65,7 +65,8 @@ class Law:
     straight lines; the acceleration is positive while the follower speeds up, on the return too, in any unit,
     for its scale follows from the stroke. Points with one share make a jump, from the first to the last.
     ``points`` of the law "table": (share of the phase, share of the stroke) from the lower place, at even
-    steps; ``size``: how long (degrees) and how high (m, or rad) it is as written.
+    steps; ``size``: how long (degrees) and how high (m, or rad) it is as written; ``digit``: one of the last
+    digit of its figures, a share of the stroke.
     ``shares``: of speeding up and of slowing down, in proportion, of a law of constant acceleration.
     """
 
@@ -73,6 +74,7 @@ class Law:
     points: tuple[tuple[float, float], ...] = ()
     shares: tuple[float, float] = EVEN_SHARES
     size: tuple[float, ...] = ()
+    digit: float = field(default=0.0, compare=False)
 
     @property
     def split(self) -> float:
@@ -105,8 +107,8 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     return tuple(found)
 
 
-def _table(value: object, names: Names) -> tuple[tuple[float, float], ...]:
-    """Return lines of a table: the angle (degrees) and the displacement (m, or rad)."""
+def _table(value: object, names: Names) -> tuple[tuple[float, float, float], ...]:
+    """Return lines of a table: the angle (degrees), the displacement, one of its last digit (m, or rad)."""
     if not isinstance(value, list) or not value:
         says = said('write lines of the table, [["0 deg", "0 mm"], ["10 deg", "0.8 mm"], ...]')
         raise ValueError(stands(value, says))
@@ -115,23 +117,26 @@ def _table(value: object, names: Names) -> tuple[tuple[float, float], ...]:
         if not isinstance(item, list) or len(item) != 2:
             says = said('a line is an angle and a displacement, ["10 deg", "0.8 mm"]')
             raise ValueError(fault_in_list(item, says))
-        found.append((quantities.parse(item[0], "angle"), _stroke(item[1], names)))
+        angle, high = quantities.parse(item[0], "angle"), _stroke(item[1], names)
+        found.append((angle, high, _stroke(quantities.last_digit(item[1]), names)))
     return tuple(found)
 
 
-def law_of(table: Sequence[tuple[float, float]], *, own: bool = True) -> Law:
+def law_of(table: Sequence[tuple[float, ...]], *, own: bool = True) -> Law:
     """Return the law that a table gives, from its lower place: of a fall backwards.
 
-    ``own``: it is the phase's own; else another phase takes it as long, and as high, as that is itself.
+    ``table``: lines of an angle, a displacement and, of written figures, one of their last digit. ``own``: it is
+    the phase's own; else another phase takes it as long, and as high, as that is itself.
     """
-    lines = [(angle - table[0][0], height) for angle, height in table]
+    lines = [(angle - table[0][0], height) for angle, height, *_ in table]
     if lines[0][1] > lines[-1][1]:
         lines = [(lines[-1][0] - angle, height) for angle, height in reversed(lines)]
     long, high = lines[-1]
     points = tuple(
         (round(angle / (long or 1.0), 12), height / (high or 1.0)) for angle, height in lines
     )
-    return Law(BY_TABLE, points, size=(long, high) if own else ())
+    digit = min((one for line in table for one in line[2:]), default=0.0) / (high or 1.0)
+    return Law(BY_TABLE, points, size=(long, high) if own else (), digit=digit)
 
 
 def _shares(value: object, names: Names) -> tuple[float, float]:
@@ -278,12 +283,12 @@ def refuse_phases(phases: Sequence[Stage], *, rocks: bool) -> None:
         says = said(
             "over a turn the follower rises by {rises} and falls by {falls}: it has to come back to where "
             "it began, so change a stroke by {rest}",
-            rises=_size(rises, rocks), falls=_size(falls, rocks), rest=_size(abs(rises - falls), rocks),
+            rises=size_of(rises, rocks), falls=size_of(falls, rocks), rest=size_of(abs(rises - falls), rocks),
         )  # fmt: skip
         raise TaskError("cam", "phase", says)
 
 
-def _size(stroke: float, rocks: bool) -> str:
+def size_of(stroke: float, rocks: bool) -> str:
     """Return a stroke with its unit."""
     if rocks:
         return f"{math.degrees(stroke):g}°"

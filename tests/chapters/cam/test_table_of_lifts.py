@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import random
 from pathlib import Path
 
@@ -136,6 +137,53 @@ def test_few_lines_a_shock_and_noise_are_told() -> None:
     noise = told(digits)[-1]
     assert "changes its sign" in noise
     assert "noise" in noise
+
+
+def rounded(folder: Path, heights: np.ndarray, stroke: int, decimals: int) -> list[str]:
+    """What is told of a table whose displacements are printed with so many decimals of mm."""
+    steps = len(heights) - 1
+    lines = [
+        [f"{RISE * k / steps:.9f} deg", f"{stroke * y:.{decimals}f} mm"]
+        for k, y in enumerate(heights)
+    ]
+    text = f'title = "T"\nlanguage = "en"\n[cam]\nstroke = "{stroke} mm"\nrise = "{RISE} deg"\nfall = 90\n'
+    text += f'law = "table"\nlaw_table = {json.dumps(lines)}\nreturn_law = "sine"\n'
+    order = ASKED.of(read(written(folder, text)))
+    assert order is not None
+    return list(of_tables(made(order).cam, "en"))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_smooth_table_that_is_rounded_is_no_shock(tmp_path: Path, seed: int) -> None:
+    """However its figures are rounded; an even motion is one, if a digit is no more than a hundredth."""
+    draw = random.Random(f"rounded {seed}")
+    steps, stroke = draw.randint(8, 72), draw.randint(8, 60)
+    for decimals in range(4):
+        smoothly = rounded(tmp_path, smooth(draw, steps + 1), stroke, decimals)
+        assert not [one for one in smoothly if "shock" in one], (steps, stroke, decimals)
+        evenly = rounded(tmp_path, np.linspace(0.0, 1.0, steps + 1), stroke, decimals)
+        if 10.0**-decimals <= 0.01 * stroke:
+            assert len([one for one in evenly if "shock" in one]) == 2, (steps, stroke, decimals)
+
+
+@each(
+    "steps, decimals, off",
+    [(12, 1, 29), (12, 2, None), (24, 1, 67), (24, 2, 11), (24, 3, None)],
+)
+def test_how_far_rounding_spoils_accelerations_is_told(
+    tmp_path: Path, steps: int, decimals: int, off: int | None
+) -> None:
+    """Two digits by the largest second difference of the rounded figures."""
+    heights = SHAPES["cosine"][0](np.linspace(0.0, 1.0, steps + 1))
+    found = rounded(tmp_path, heights, 20, decimals)
+    if off is None:
+        assert found == []
+        return
+    (says,) = found
+    assert f"rounded to {10.0**-decimals:g} mm" in says
+    assert f"by {off} % of its largest" in says
+    due = 200.0 * 10.0**-decimals / np.diff(np.round(20.0 * heights, decimals), 2).max()
+    assert abs(off - due) <= 1.0
 
 
 def test_a_table_that_does_not_begin_at_rest_goes_on_straight() -> None:

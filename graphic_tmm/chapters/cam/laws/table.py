@@ -9,8 +9,8 @@ goes on with even third differences.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 
@@ -20,14 +20,29 @@ from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.cam import words as why
-from graphic_tmm.chapters.cam.laws import formulas as law
+from graphic_tmm.chapters.cam.laws import formulas
 from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, uprights
-from graphic_tmm.chapters.cam.task_motion import BY_TABLE
+from graphic_tmm.chapters.cam.task_motion import BY_TABLE, Law
 
 SHOCK = 0.1
 """The velocity with which a table begins, of h/Φ, from which on it does not begin at rest.
 
 Tables of the other laws have 0.011 at most, from 6 steps on; one of even motion has 1.
+"""
+LEAST = 4.0
+"""The largest acceleration of a follower that begins and ends at rest is no less, of h/Φ²."""
+STEPS = 6
+"""Those steps."""
+DOUBT = 3.0
+"""Steps times one of the last digit: by so much a velocity at an end may be off, of h/Φ.
+
+It is half of the steps times 7·y_1 − 4·y_2 + y_3, each of which is off by half of the digit.
+"""
+ROUGH = 0.1
+"""The share of the largest acceleration by which rounding alone may be off.
+
+Of 20,000 random tables the largest acceleration was off by less than 5 % in 9 of 10 of those below it, of 0.3
+by a fifth.
 """
 FEW = 8
 """Of 8 steps of a cosine law chords are off by 1.3 % of its largest acceleration, of 6 by 2.3 %."""
@@ -38,9 +53,13 @@ ROUNDED = 1e-9
 
 @dataclass(frozen=True)
 class Displacements:
-    """The displacements of a phase, of 1, line by line from its outer end."""
+    """The displacements of a phase, of 1, line by line from its outer end; one of their last ``digit``.
+
+    Each may be off by half of that, but for the ends.
+    """
 
     heights: tuple[float, ...]
+    digit: float = 0.0
 
     @property
     def steps(self) -> int:
@@ -52,24 +71,44 @@ class Displacements:
         """The same with a line before the first and one behind the last."""
         y = self.heights
         before, behind = (
-            _even_thirds(*line)
-            if speed > SHOCK
-            else 3.0 * line[1] - (line[2] + 3.0 * line[0]) / 2.0
-            for line, speed in zip((y[:4], y[:-5:-1]), self.speeds, strict=True)
+            _even_thirds(*line) if shock else 3.0 * line[1] - (line[2] + 3.0 * line[0]) / 2.0
+            for line, shock in zip((y[:4], y[:-5:-1]), self.shocks, strict=True)
         )
         return (before, *y, behind)
 
     @property
+    def stride(self) -> int:
+        """How many steps are taken as one where velocities at the ends are judged.
+
+        So many that rounding makes no shock; no fewer are left than those of `SHOCK`.
+        """
+        return max(1, min(ceil(DOUBT * self.digit * self.steps / SHOCK), self.steps // STEPS))
+
+    @property
     def speeds(self) -> tuple[float, float]:
         """With which velocities it begins and ends, of h/Φ."""
-        y, half = self.heights, self.steps / 2.0
-        return (y[1] - _even_thirds(*y[:4])) * half, (_even_thirds(*y[:-5:-1]) - y[-2]) * half
+        far, y = self.stride, self.heights
+        lines = (y[:: sense * far][:4] for sense in (1, -1))
+        first, last = ((one[1] - _even_thirds(*one)) * self.steps / far / 2.0 for one in lines)
+        return first, -last
+
+    @property
+    def shocks(self) -> tuple[bool, bool]:
+        """Whether it begins and ends with a velocity, whatever its figures were before they were rounded."""
+        doubt = DOUBT * self.digit * self.steps / self.stride
+        begins, ends = self.speeds
+        return begins > SHOCK + doubt, ends > SHOCK + doubt
+
+    @property
+    def rough(self) -> float:
+        """By how much of the largest acceleration that between others may be off by rounding."""
+        return 2.0 * self.digit * self.steps**2 / max(self.peaks[1], LEAST)
 
     @property
     def chords(self) -> tuple[float, ...]:
         """The same lines, but level about an end at rest."""
         first, *lines, last = self.wider
-        begins, ends = (speed > SHOCK for speed in self.speeds)
+        begins, ends = self.shocks
         return (first if begins else lines[1], *lines, last if ends else lines[-2])
 
     @property
@@ -92,14 +131,14 @@ def _even_thirds(first: float, second: float, third: float, fourth: float) -> fl
     return 4.0 * first - 6.0 * second + 4.0 * third - fourth
 
 
-def table_of(points: Sequence[tuple[float, float]]) -> Displacements:
+def table_of(law: Law) -> Displacements:
     """Return the table of a law that is given so."""
-    return Displacements(tuple(height for _, height in points))
+    return Displacements(tuple(height for _, height in law.points), law.digit)
 
 
 def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mark, ...]:
     """Lay off the displacements told, or the slopes of chords."""
-    table, (share,) = table_of(ground.of.law.points), ground.shares
+    table, (share,) = table_of(ground.of.law), ground.shares
     lines = np.array(table.chords if which == "V" else table.wider)
     place, parts = draft.uses(share)
     number = np.asarray(draft.given[place])
@@ -115,10 +154,10 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
         long = draft.draw(to_board, "y", line(0, "i"), ground.mu)
     elif which == "V":
         ends = (line(1, "i+1"), line(-1, "i−1"))
-        long = draft.draw(law.chord_V, "y", *ends, parts, ground.phase, ground.mu)
+        long = draft.draw(formulas.chord_V, "y", *ends, parts, ground.phase, ground.mu)
     else:
         three = (line(1, "i+1"), line(0, "i"), line(-1, "i−1"))
-        long = draft.draw(law.chord_A, "y", *three, parts, ground.phase, ground.mu)
+        long = draft.draw(formulas.chord_A, "y", *three, parts, ground.phase, ground.mu)
     over = uprights(draft, ground, up=which != "V" or ground.of.sign > 0)
     return (draft.draw(lay_off, which.lower(), over, long, free=True, why=why.BY_TABLE),)
 
