@@ -16,12 +16,14 @@ from graphic_tmm.chapters.cam.task_motion import (
     BY_DIAGRAM,
     BY_TABLE,
     EVEN_SHARES,
+    NO_LINES,
     SHARED,
     TURN,
     Law,
     Stage,
     names,
     refuse_phases,
+    size_of,
 )
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -150,7 +152,7 @@ def refuse(order: CamTask) -> None:
     for motion in order.stages:
         if motion.law is not None:
             _refuse_law(keys_of_law(order, motion), motion.law, WHOLE * motion.angle / TURN)
-            if motion.law.name == BY_TABLE and (says := _fault_of_table(motion)):
+            if motion.law.name == BY_TABLE and (says := _fault_of_table(order, motion)):
                 raise TaskError("cam", keys_of_law(order, motion)[1], says)
 
 
@@ -244,6 +246,9 @@ def _refuse_law(keys: tuple[str, str], law: Law, base: float) -> None:
         raise TaskError(
             "cam", keys[0], said("only the law of constant acceleration has shares; leave them out")
         )
+    if law.size and law.name != BY_TABLE:
+        says = said('only {law} = "table" takes a table; leave it out', law="law")
+        raise TaskError("cam", keys[0], says)
     if law.name != BY_DIAGRAM:
         if law.points and law.name != BY_TABLE:
             raise TaskError("cam", keys[0], said('points belong to the law "diagram" only'))
@@ -252,10 +257,12 @@ def _refuse_law(keys: tuple[str, str], law: Law, base: float) -> None:
         raise TaskError("cam", keys[1], says)
 
 
-def _fault_of_table(motion: Stage) -> str:
+def _fault_of_table(order: CamTask, motion: Stage) -> str:
     """Return what is wrong with the table of a phase; "" if nothing is."""
     assert motion.law is not None
     points, steps = motion.law.points, bound_of(CamTask, "parts")
+    if not points:
+        return NO_LINES
     shares, heights = ([one[k] for one in points] for k in (0, 1))
     if not steps.holds(len(points) - 1):
         return said(
@@ -272,10 +279,10 @@ def _fault_of_table(motion: Stage) -> str:
     for told, due in zip(motion.law.size, (motion.angle, motion.stroke or 0.0), strict=False):
         if abs(told - due) > EVEN * due:
             return said(
-                "the table is {long:g}° long and {high:g} high (SI), its phase {angle:g}° and {stroke:g}: make "
-                "them the same",
-                long=motion.law.size[0], high=motion.law.size[1],
-                angle=motion.angle, stroke=motion.stroke or 0.0,
+                "the table is {long:g}° long and {high} high, its phase {angle:g}° and {stroke}: make them the "
+                "same",
+                long=motion.law.size[0], high=size_of(motion.law.size[1], order.rocks),
+                angle=motion.angle, stroke=size_of(motion.stroke or 0.0, order.rocks),
             )  # fmt: skip
     return ""
 

@@ -78,7 +78,7 @@ def _rest(said: Said) -> float:
 
 def _rise_law(said: Said) -> Law:
     if said.law == BY_TABLE and said.law_table:
-        return law_of(said.law_table)
+        return law_of(said.law_table, own=not said.phase)
     points = (said.law_points or ()) if said.law == BY_DIAGRAM else ()
     return Law(said.law, points, said.shares or EVEN_SHARES)
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import accumulate
 from pkgutil import resolve_name
 from typing import Any
@@ -82,7 +82,7 @@ class Law:
         return self.shares[0] / sum(self.shares)
 
 
-def _stroke(value: object, names: Names) -> float:
+def _stroke(value: object, names: Names | None = None) -> float:
     """Return a stroke in m, or in rad for a rocking follower."""
     if quantities.is_a(value, "angle"):
         return math.radians(quantities.parse(value, "angle"))
@@ -117,15 +117,15 @@ def _table(value: object, names: Names) -> tuple[tuple[float, float, float], ...
         if not isinstance(item, list) or len(item) != 2:
             says = said('a line is an angle and a displacement, ["10 deg", "0.8 mm"]')
             raise ValueError(fault_in_list(item, says))
-        angle, high = quantities.parse(item[0], "angle"), _stroke(item[1], names)
-        found.append((angle, high, _stroke(quantities.last_digit(item[1]), names)))
+        angle, high = quantities.parse(item[0], "angle"), _stroke(item[1])
+        found.append((angle, high, _stroke(quantities.last_digit(item[1]))))
     return tuple(found)
 
 
 def law_of(table: Sequence[tuple[float, ...]], *, own: bool = True) -> Law:
     """Return the law that a table gives, from its lower place: of a fall backwards.
 
-    ``table``: lines of an angle, a displacement and, of written figures, one of their last digit. ``own``: it is
+    ``table``: lines of an angle, a displacement, one of the last digit that is written of it. ``own``: it is
     the phase's own; else another phase takes it as long, and as high, as that is itself.
     """
     lines = [(angle - table[0][0], height) for angle, height, *_ in table]
@@ -157,13 +157,14 @@ LAW = v.choice_of(_words)
 """Values of the keys of a cam."""
 
 
+NO_LINES = said('the law table needs its lines, [["0 deg", "0 mm"], ["10 deg", "0.8 mm"], ...]')
 EXAMPLE = [["0 deg", "0 mm"], ["10 deg", "0.8 mm"]]
 
 
 def _own_law(said: Said) -> Law | None:
     name = said.law or (BY_DIAGRAM if said.law_points else SHARED if said.shares else None)
     if said.law_table:
-        return law_of(said.law_table)
+        return replace(law_of(said.law_table), name=name or BY_TABLE)
     return None if name is None else Law(name, said.law_points or (), said.shares or UNSAID)
 
 
@@ -222,10 +223,17 @@ def levels(phases: Sequence[Stage]) -> list[float]:
     return [round(high - min(found), 12) for high in found]
 
 
+TABLES = ("law_table", "return_table")
+WRONG_WAY = {
+    1: said("the table of a rise goes up, from 0 to the stroke: write its lines the other way round"),
+    -1: said("the table of a return goes down, from the stroke to 0: write its lines the other way round"),
+}  # fmt: skip
+
+
 def stroke_faults(
     cam: Said, told: Mapping[str, Any], rocks: bool, keys: Mapping[str, Key]
 ) -> Iterator[Flaw]:
-    """Yield what is wrong with the keys of the phases, and with strokes of the other kind of follower.
+    """Yield what is wrong with the keys of the phases, and with strokes of the other kind of follower, or way.
 
     ``told``: the section as it is written; ``keys`` of it.
     """
@@ -235,16 +243,23 @@ def stroke_faults(
             yield Flaw(("cam", name), says)
         elif not cam.phase and name not in told:
             yield Flaw(("cam", name), missing_key(name, keys[name]))
-    strokes: dict[Path, Any] = {("cam",): told}
-    strokes |= {("cam", "phase", k): one for k, one in enumerate(told.get("phase", ()))}
-    for path, one in strokes.items():
-        if "stroke" in one and rocks != quantities.is_a(one["stroke"], "angle"):
-            wants = (
-                said('a rocker swings through an angle; write "20 deg"')
-                if rocks
-                else said('this follower moves along its guide; write a length, "28 mm"')
-            )
-            yield Flaw((*path, "stroke"), wants)
+    sections: dict[Path, Any] = {("cam",): told}
+    sections |= {("cam", "phase", k): one for k, one in enumerate(told.get("phase", ()))}
+    for path, one in sections.items():
+        rows = {name: [high for _, high in one[name]] for name in TABLES if name in one}
+        rows |= {"stroke": [one["stroke"]]} if "stroke" in one else {}
+        for name, highs in rows.items():
+            way = -1 if name == "return_table" or ("fall" in one and path != ("cam",)) else 1
+            # a table may say 0 without its unit
+            if any(rocks != quantities.is_a(high, "angle") for high in highs if high != 0):
+                wants = (
+                    said('a rocker swings through an angle; write "20 deg"')
+                    if rocks
+                    else said('this follower moves along its guide; write a length, "28 mm"')
+                )
+                yield Flaw((*path, name), wants)
+            elif way * _stroke(highs[0]) > way * _stroke(highs[-1]):
+                yield Flaw((*path, name), WRONG_WAY[way])
 
 
 def refuse_phases(phases: Sequence[Stage], *, rocks: bool) -> None:
@@ -331,10 +346,7 @@ def _tables(cam: Said) -> Iterator[Flaw]:
     for law, table in (("law", "law_table"), ("return_law", "return_table")):
         own, name = getattr(cam, table), getattr(cam, law) or cam.law
         if name == BY_TABLE and own is None and cam.law_table is None and not cam.phase:
-            says = said(
-                'the law table needs its lines, [["0 deg", "0 mm"], ["10 deg", "0.8 mm"], ...]'
-            )
-            yield Flaw(("cam", table), says)
+            yield Flaw(("cam", table), NO_LINES)
         if own is not None and name != BY_TABLE:
             says = said('only {law} = "table" takes a table; leave it out', law=law)
             yield Flaw(("cam", table), says)

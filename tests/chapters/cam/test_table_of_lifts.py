@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import random
+import re
 from pathlib import Path
 
 import numpy as np
@@ -247,6 +248,83 @@ stroke = "10 deg"
     np.testing.assert_allclose(found, np.radians([1.0, 5.0, 10.0]), atol=1e-9)
 
 
+TURN = """title = "T"
+language = "en"
+[cam]
+{cam}
+[[cam.phase]]
+rise = 100
+stroke = "20 mm"
+{rise}
+[[cam.phase]]
+fall = 120
+stroke = "20 mm"
+{fall}
+[[cam.phase]]
+dwell = 140
+"""
+
+
+def phases(folder: Path, cam: str = "", rise: str = "", fall: str = "") -> CamTask:
+    order = ASKED.of(read(written(folder, TURN.format(cam=cam, rise=rise, fall=fall))))
+    assert order is not None
+    return order
+
+
+def test_a_phase_without_a_law_takes_the_table_of_the_cam_by_its_own_size(tmp_path: Path) -> None:
+    """Lines of 100° and 20 mm: of another phase the same shares; a law of its own goes before."""
+    cam = f'law = "table"\nlaw_table = {LINES}'
+    rise, fall, _ = phases(tmp_path, cam).phases
+    assert rise.law is not None
+    assert fall.law == rise.law
+    assert rise.law.name == "table"
+    of = made(phases(tmp_path, cam, fall='law = "table"'))
+    due = STROKE * np.array([1.0, 0.95, 0.75, 0.4, 0.1, 0.0])
+    np.testing.assert_allclose(read_off(of, 1)[0], due, atol=1e-12)
+    _, fall, _ = phases(tmp_path, cam, fall='law = "cosine"').phases
+    assert fall.law is not None
+    assert fall.law.name == "cosine"
+
+
+OWN = f"law_table = {LINES}"
+
+
+@each(
+    "cam, rise, fall, says",
+    [
+        ("", f'law = "cosine"\n{OWN}', "", 'only law = "table" takes a table'),
+        ("", f"shares = [2, 1]\n{OWN}", "", 'only law = "table" takes a table'),
+        ("", f"law_points = [[0, 1], [1, -1]]\n{OWN}", "", 'only law = "table" takes a table'),
+        ("", 'law = "table"', "", "the law table needs its lines"),
+        ('law = "table"', "", 'law = "sine"', "the law table needs its lines"),
+        ("", "", OWN, "the table of a return goes down"),
+        ("", f"law_table = {BACK}", "", "the table of a rise goes up"),
+        ("", OWN.replace("2 cm", "21 mm"), "", "100° long and 21 mm high, its phase 100° and 20 mm"),
+        ("", OWN.replace("15 mm", "15 deg"), "", "moves along its guide; write a length"),
+        ("", "", f'law_table = {BACK}'.replace("2 mm", "2 deg"), "moves along its guide"),
+    ],
+)  # fmt: skip
+def test_what_is_no_table_of_a_phase_is_refused(
+    tmp_path: Path, cam: str, rise: str, fall: str, says: str
+) -> None:
+    with pytest.raises(SceneError, match=re.escape(says)):
+        phases(tmp_path, cam, rise, fall)
+
+
+@each("table", ["law_table", "return_table"])
+def test_lines_of_a_lever_are_angles(tmp_path: Path, table: str) -> None:
+    """Even where they are as many metres as the stroke is radians."""
+    lines = [[20 * k, f"{20 * k / 5} cm"] for k in range(6)]
+    turned = [[a, high] for (a, _), (_, high) in zip(lines, reversed(lines), strict=True)]
+    given = {"law_table": lines, "return_table": turned}[table]
+    other = '["0 deg", "0 rad"], [50, "0.1 rad"], [100, "0.2 rad"]'
+    text = HEAD.replace("20 mm", "0.2 rad") + f'law = "table"\n{table} = {json.dumps(given)}\n'
+    text += 'follower = "rocker"\nlever = "100 mm"\ncentres = "130 mm"\n'
+    text += f"law_table = [{other}]\n" if table == "return_table" else ""
+    with pytest.raises(SceneError, match=f"cam.{table}: a rocker swings through an angle"):
+        read(written(tmp_path, text))
+
+
 def test_between_its_lines_the_curve_is_read() -> None:
     """A cosine law in 24 steps, read off the curves between its lines."""
     u = np.linspace(0.0, 1.0, 25)
@@ -273,6 +351,10 @@ def test_between_its_lines_the_curve_is_read() -> None:
         ('law = "table"\nlaw_table = [[0, 0], [100, "20 mm"]]\n', "has 4 to 360 even steps, not 1"),
         (f'law = "table"\nlaw_table = {LINES.replace("20, ", "30, ")}\n', "go on by even steps"),
         (f'law = "table"\nlaw_table = {LINES.replace("2 cm", "21 mm")}\n', "make them the same"),
+        (f'law = "table"\nlaw_table = {LINES.replace("2 cm", "21 mm")}\n', "21 mm high, its phase"),
+        (f'law = "table"\nlaw_table = {LINES.replace("15 mm", "15 deg")}\n', "write a length"),
+        (f'law = "table"\nlaw_table = {BACK}\n', "the table of a rise goes up"),
+        (f'law = "table"\nlaw_table = {LINES}\nreturn_table = {LINES}\n', "a return goes down"),
         (f'law = "table"\nlaw_table = {LINES.replace("15 mm", "25 mm")}\n', "and not beyond"),
         (f'law = "table"\nlaw_table = {LINES.replace("0 mm", "1 mm")}\n', "go from 0 to the stroke"),
     ],
