@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Number
-from graphic_tmm.chapters.trains.task import Scheme
+from graphic_tmm.chapters.trains.task import Scheme, Train
 from graphic_tmm.language.said import said
 
 _NO_WHEEL = "a wheel has no radius"
@@ -55,6 +56,28 @@ def from_apex(height: Number, lean: Angle) -> Number:
 )
 def rate_about_axis(velocity: Number, arm: Number) -> Number:
     """{velocity}/{arm}"""
+
+
+def tip_cones(train: Train, second: float, ha: float) -> dict[str, tuple[float, float]]:
+    """Return, by the rim, how far axes of neighbours are apart, and how wide its tip cone is, degrees.
+
+    ``second``: module of the second row over that of the first. All cones have their tips in one point.
+    """
+    z = dict(zip(train.scheme.wheels, train.teeth, strict=True))
+    first, last = train.scheme.meshes
+    if train.scheme.rows == 1:
+        leans = math.acos((z[first.wheel] - z[last.wheel]) / (2 * z[first.rim]))
+        rims = {first.rim: (1.0, (z[first.wheel] + z[last.wheel]) / 2 / math.sin(leans))}
+    else:
+        leans = math.pi / 2
+        rims = {first.rim: (1.0, float(z[first.wheel])), last.rim: (second, second * z[last.wheel])}
+    between = 2 * math.asin(math.sin(leans) * math.sin(math.pi / train.satellites))
+    found = {}
+    for rim, (module, apex) in rims.items():
+        radius = module * z[rim]
+        half = math.atan2(radius, apex) + math.atan(2 * module * ha / math.hypot(radius, apex))
+        found[rim] = (math.degrees(between), math.degrees(2 * half))
+    return found
 
 
 def draw_mean_radius(draft: Draft, scheme: Scheme, radii: Mapping[str, Mark]) -> Mark:

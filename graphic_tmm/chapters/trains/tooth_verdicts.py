@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
 import numpy as np
 
+from graphic_tmm.chapters.trains import bevel_formulas as bevel
 from graphic_tmm.chapters.trains import tooth_conditions as c
 from graphic_tmm.chapters.trains.motion import motion_of
 from graphic_tmm.chapters.trains.refusals import scheme_of
-from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme, Train, module_ratio
+from graphic_tmm.chapters.trains.task import Mesh, PlanetaryTask, Scheme, Train, module_ratio
 from graphic_tmm.chapters.trains.tooth_conditions import Teeth, Truths
 from graphic_tmm.language.said import said
 
@@ -64,7 +65,7 @@ def check(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
         z, q = _teeth(train, pair), module_ratio(order) if pair.rows == 2 else Fraction(1)
         single = len(pair.meshes) == 1
         if pair.bevel:
-            found += [*_axis_of_satellites(pair, z), _assembly(pair, train.satellites, z)]
+            found += [*_bevel(order, train, q), _assembly(pair, train.satellites, z)]
             continue
         if not (single and c.coaxial(pair, z, q)):
             found.append(_coaxial(order, pair, z, q))
@@ -155,21 +156,6 @@ def _coaxial(order: PlanetaryTask, scheme: Scheme, z: Teeth, q: Fraction) -> Ver
     return Verdict("coaxial", wheel, holds, float(second), text)
 
 
-def _axis_of_satellites(scheme: Scheme, z: Teeth) -> Iterator[Verdict]:
-    """Yield that satellites of one rim touch no two wheels that differ by so many teeth."""
-    (z1,), (z2,), _, (z4,) = z
-    between, most = abs(int(z1 - z4)), 2 * int(z2)
-    if scheme.rows == 1 and between >= most:
-        text = said(
-            "coaxial: the central wheels differ by {n} teeth, not by less than {most} = 2·{z2}: no satellite "
-            "touches both",
-            n=between,
-            most=most,
-            z2=int(z2),
-        )
-        yield Verdict("coaxial", "", False, float(between), text)
-
-
 def _neighbours(order: PlanetaryTask, train: Train, z: Teeth, q: Fraction) -> Verdict:
     scheme, k = train.scheme, train.satellites
     (z1,), (z2,), _, _ = z
@@ -247,3 +233,64 @@ def _interference(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdi
         )
         made.append(Verdict("interference", mesh, holds, float(outer[0]), text))
     return tuple(made)
+
+
+def _bevel(order: PlanetaryTask, train: Train, q: Fraction) -> Iterator[Verdict]:
+    """Yield what is broken of bevel wheels: flat cones, rims clear of wheels, neighbours."""
+    (first, last), k = train.scheme.meshes, train.satellites
+    z = dict(zip(train.scheme.wheels, train.teeth, strict=True))
+    if train.scheme.rows == 1:
+        wide = _flat(first.wheel, last.wheel, first.rim, z)
+        yield from wide
+        if wide:
+            return
+    else:
+        radii = {w: z[w] * (q if w in last[:2] else 1) for w in z}
+        for mesh, other in ((first, last), (last, first)):
+            yield from _rim(order, mesh, other, radii)
+    if k == 1:
+        return
+    for rim, (between, tips) in bevel.tip_cones(train, float(q), order.ha).items():
+        text = said(
+            "neighbours: their axes are {between:.4g}° apart, not more than the {tips:.4g}° of the tip cone of "
+            "rim {rim}: satellites touch; take fewer, or smaller ones",
+            between=between,
+            tips=tips,
+            rim=rim,
+        )
+        if between <= tips:
+            yield Verdict("neighbours", rim, False, between, text)
+
+
+def _flat(one: str, other: str, rim: str, z: Mapping[str, int]) -> tuple[Verdict, ...]:
+    """Return that the larger central wheel would have to be more than flat to touch the satellite."""
+    if z[one] < z[other]:
+        one, other = other, one
+    found, most = z[one] * (z[one] - z[other]), 2 * z[rim] ** 2
+    if found <= most:
+        return ()
+    text = said(
+        "coaxial: z{one}·(z{one} − z{other}) = {found} is more than 2·z{rim}² = {most}: wheel {one} would be "
+        "more than flat, its cone would be wider than 90°; take more teeth for the satellite",
+        one=one,
+        other=other,
+        rim=rim,
+        found=found,
+        most=most,
+    )
+    return (Verdict("coaxial", "", False, float(found), text),)
+
+
+def _rim(
+    order: PlanetaryTask, mesh: Mesh, other: Mesh, z: Mapping[str, Fraction | int]
+) -> Iterator[Verdict]:
+    """Yield that a rim reaches past the other one, and the wheel there past its own; ``z``: first modules."""
+    rim, past, wheel, own = names = (mesh.rim, other.rim, other.wheel, mesh.wheel)
+    a, b, c, d = (500.0 * order.module * float(z[name]) for name in names)
+    if z[rim] >= z[past] and z[wheel] >= z[own] and (z[rim], z[wheel]) != (z[past], z[own]):
+        text = said(
+            "interference: rim {rim} cuts into wheel {wheel}: r{rim} = {a:.4g} is not less than r{past} = "
+            "{b:.4g} mm, r{wheel} = {c:.4g} not less than r{own} = {d:.4g} mm",
+            rim=rim, past=past, wheel=wheel, own=own, a=a, b=b, c=c, d=d,
+        )  # fmt: skip
+        yield Verdict("interference", f"{wheel}-{rim}", False, a, text)

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+import shapely
 from numpy.typing import NDArray
 from support.scenes import calling
 
@@ -18,7 +19,8 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.chapters.trains.motion import motion_of
 from graphic_tmm.chapters.trains.plan import draw_planetary
-from graphic_tmm.chapters.trains.task import SCHEMES, PlanetaryTask
+from graphic_tmm.chapters.trains.task import SCHEMES, PlanetaryTask, Train
+from graphic_tmm.chapters.trains.tooth_verdicts import check
 from graphic_tmm.chapters.trains.torques import draw_torques
 from graphic_tmm.errors import StructureError
 from graphic_tmm.readers.findings import warnings
@@ -29,44 +31,32 @@ from graphic_tmm.studio import make
 BEVEL = ("bevel", "bevel-double")
 
 
-def half_angles(z1: int, z2: int, z3: int) -> tuple[float, float, float]:
-    """Half angles of the cones of a single row: one length of all cones, which fill half a turn (halved)."""
+def half_angles(z1: int, z2: int, z3: int) -> tuple[float, float, float] | None:
+    """Half angles of the cones of a single row: one length of all cones, which fill half a turn (halved).
+
+    None where no cone is that short: the larger central wheel would be more than flat.
+    """
 
     def left(cone: float) -> float:
         rest = math.pi - 2.0 * math.asin(z2 / cone)
         one, other = math.asin(min(z1 / cone, 1.0)), math.asin(min(z3 / cone, 1.0))
         return one + other - rest
 
-    low = float(max(z1, z2, z3))
-    if left(low) <= 0.0:  # the larger central wheel is flatter than a plane one
-        larger = math.pi - math.asin(min(1.0, max(z1, z3) / low))
-        return _flat(z1, z2, z3, larger)
-    high = 1e6
+    low, high = float(max(z1, z2, z3)), 1e6
+    if left(low) < -1e-9:
+        return None
     for _ in range(200):
         low, high = (m, high) if left(m := (low + high) / 2) > 0.0 else (low, m)
     return math.asin(z1 / low), math.asin(z2 / low), math.asin(z3 / low)
-
-
-def _flat(z1: int, z2: int, z3: int, start: float) -> tuple[float, float, float]:
-    big, small = max(z1, z3), min(z1, z3)
-
-    def over(wide: float) -> float:
-        cone = big / math.sin(wide)
-        return wide + 2.0 * math.asin(min(1.0, z2 / cone)) + math.asin(small / cone) - math.pi
-
-    low, high = math.pi / 2, math.pi - 1e-12
-    for _ in range(200):
-        low, high = (m, high) if over(m := (low + high) / 2) < 0.0 else (low, m)
-    cone = big / math.sin(low)
-    found = {big: low, small: math.asin(small / cone)}
-    return found[z1], math.asin(z2 / cone), found[z3]
 
 
 def placed(scheme: str, z: tuple[int, ...]) -> tuple[complex, complex, complex]:
     """A, C and the direction of the satellites' axis, in half modules, by the angles of the cones."""
     if scheme == "bevel-double":
         return complex(-z[1], z[0]), complex(z[2], z[3]), 1j
-    one, half, _ = half_angles(*z)
+    angles = half_angles(*z)
+    assert angles is not None
+    one, half, _ = angles
     cone = z[1] / math.sin(half)
     turn = math.pi - one
     at = (turn, turn - half, turn - 2.0 * half)
@@ -119,13 +109,11 @@ def measured(order: PlanetaryTask) -> tuple[dict[str, float], float, dict[str, c
 @pytest.mark.parametrize("scheme", BEVEL)
 def test_random_bevel_trains_roll(scheme: str, many: Callable[[int, int], int]) -> None:
     """ω of all bodies from picture and triangle, and by Willis, against contacts that roll in space."""
-    draw, count = random.Random(scheme), many(200, 30)
+    draw, count, wide = random.Random(scheme), many(200, 30), 0
     for _ in range(count):
         z = [draw.randint(8, 60) for _ in range(4)]
         if scheme == "bevel":
-            z = [z[0], z[1], draw.choice((z[0], max(6, z[0] + draw.randint(-z[1], z[1]))))]
-            if abs(z[0] - z[2]) >= 1.8 * z[1]:
-                continue
+            z = [z[0], z[1], draw.choice((z[0], max(6, z[0] + draw.randint(-2 * z[1], 2 * z[1]))))]
         teeth = tuple(z)
         members = draw.sample(SCHEMES[scheme].members, 2)
         speeds = [draw.choice((-1, 1)) * draw.uniform(1.0, 400.0) for _ in range(2)]
@@ -134,6 +122,11 @@ def test_random_bevel_trains_roll(scheme: str, many: Callable[[int, int], int]) 
             order = replace(order, speed=tuple(speeds), driving=tuple(members), fixed="")
         else:
             speeds[1] = 0.0
+        if scheme == "bevel" and half_angles(*z) is None:
+            wide += 1
+            with pytest.raises(StructureError, match="is more than 2·z2²"):
+                draw_planetary(Draft(), order)
+            continue
         due = rolled(scheme, teeth, dict(zip(members, speeds, strict=True)))
         values, willis, points = measured(order)
         most = max(map(abs, due.values()))
@@ -146,6 +139,8 @@ def test_random_bevel_trains_roll(scheme: str, many: Callable[[int, int], int]) 
         a, c, _ = placed(scheme, teeth)
         assert points["A"] == pytest.approx(0.002 * a, abs=1e-7)
         assert points["C"] == pytest.approx(0.002 * c, abs=1e-7)
+    assert wide < count // 2
+    assert bool(wide) == (scheme == "bevel")
 
 
 def test_a_motor_car_of_the_book() -> None:
@@ -223,10 +218,67 @@ def test_the_table_has_every_wheel_and_the_findings_what_cannot_be(tmp_path: Pat
     assert "20.5" in only
 
 
+def _sides(z: tuple[int, ...]) -> dict[str, shapely.LineString]:
+    """The mean diameters of all wheels of two rims as they are seen from the side, in half modules."""
+    z1, z2, z3, z4 = z
+    return {
+        "1": shapely.LineString([(-z2, -z1), (-z2, z1)]),
+        "2": shapely.LineString([(-z2, z1), (z2, z1)]),
+        "3": shapely.LineString([(-z3, z4), (z3, z4)]),
+        "4": shapely.LineString([(z3, -z4), (z3, z4)]),
+    }
+
+
+def _touch(scheme: str, z: tuple[int, ...], k: int) -> bool:
+    """Whether a point of the tips of one satellite lies in the tip cone of its neighbour."""
+    a, c, axis = placed(scheme, z)
+    around = np.exp(2j * np.pi * np.arange(20000) / 20000)
+    turn = 2.0 * np.pi / k
+    for end in {a, c} if scheme == "bevel-double" else {a}:
+        far = abs(end)
+        angle = abs(math.atan2((end / axis).imag, (end / axis).real)) + math.atan(2.0 / far)
+        # unit vectors: x along the main axis, the neighbour turned about it
+        one = np.array([axis.real, axis.imag, 0.0])
+        side, up = np.array([-axis.imag, axis.real, 0.0]), np.array([0.0, 0.0, 1.0])
+        tips = math.cos(angle) * one[:, None] + math.sin(angle) * (
+            side[:, None] * around.real + up[:, None] * around.imag
+        )
+        next_axis = np.array([axis.real, axis.imag * math.cos(turn), axis.imag * math.sin(turn)])
+        if (next_axis @ tips).max() > math.cos(angle) + 1e-12:
+            return True
+    return False
+
+
+def test_bevel_satellites_that_touch_and_rims_that_cut_are_told(
+    many: Callable[[int, int], int],
+) -> None:
+    """Tips of satellites laid out in space; mean diameters of two rims as segments that meet or do not."""
+    draw, touched, cut = random.Random("bevel rims"), set(), set()
+    for _ in range(many(400, 60)):
+        scheme, k = draw.choice(BEVEL), draw.randint(1, 6)
+        z = tuple(draw.randint(8, 40) for _ in range(3 if scheme == "bevel" else 4))
+        if scheme == "bevel" and half_angles(*z) is None:
+            continue
+        order = PlanetaryTask(scheme, 0.004, 10.0, "1", teeth=z, satellites=(k,))
+        broken = {
+            one.condition for one in check(order, Train(SCHEMES[scheme], z, k)) if not one.holds
+        }
+        due = k > 1 and _touch(scheme, z, k)
+        touched.add(due)
+        assert ("neighbours" in broken) == due, (z, k)
+        meets = False
+        if scheme == "bevel-double" and (z[0], z[1]) != (z[3], z[2]):
+            sides = _sides(z)
+            meets = sides["2"].intersects(sides["4"]) or sides["3"].intersects(sides["1"])
+        cut.add(meets)
+        assert ("interference" in broken) == meets, z
+    assert touched == cut == {True, False}
+
+
 @pytest.mark.parametrize(
     ("keys", "says"),
     [
-        ({"teeth": (40, 10, 20)}, "no satellite touches both"),
+        ({"teeth": (40, 10, 20)}, "its cone would be wider than 90°"),
         ({"teeth": (), "ratio": 2.0}, "leave ratio out"),
         ({"behind": ((15, 25),)}, "leave behind out"),
         ({"pole": 30.0}, "leave pole out"),
