@@ -31,10 +31,9 @@ from graphic_tmm.board.values import Length, Point
 from graphic_tmm.chapters.trains import bevel_formulas as f
 from graphic_tmm.chapters.trains import words as why
 from graphic_tmm.chapters.trains.dimensions import Dimensions
-from graphic_tmm.chapters.trains.formulas import miss_of_ratio, ratio_of_segments
 from graphic_tmm.chapters.trains.motion import Motion
 from graphic_tmm.chapters.trains.pictures import AxialView, Disc, EndView
-from graphic_tmm.chapters.trains.rates import RATES, Rates, VelocityPicture, draw_willis
+from graphic_tmm.chapters.trains.rates import RATES, Rates, VelocityPicture, compare
 from graphic_tmm.chapters.trains.task import Train
 
 RELATIVE = "2H"
@@ -158,16 +157,8 @@ def draw_triangle(
         values[body] = draft.draw(
             in_si, f"ω_{{{body}}}" if body != "2" else "ω_2", segment, unit="1/s"
         )
-    driven = motion.driven
-    if sizes.ratio is None:
-        due, drawn = draw_willis(draft, motion, scheme, sizes.teeth, picture.omegas), values[driven]
-    else:
-        letter = f"U′_{{{motion.first}{driven}}}"
-        due = sizes.ratio
-        drawn = draft.draw(ratio_of_segments, letter, segments[motion.first], segments[driven])
-    name = "Δω" if sizes.ratio is None else "ΔU"
-    difference = draft.draw(miss_of_ratio, name, drawn, due, unit="%", why=why.COMPARED)
-    return Rates(mu, above, along, pole, pole, ends, segments, values, due, drawn, difference)
+    compared = compare(draft, motion, train, sizes, picture.omegas, segments, values)
+    return Rates(mu, above, along, pole, pole, ends, segments, values, *compared)
 
 
 def choose_room(

@@ -17,6 +17,8 @@ LOCKED = said(
     "shaft drive, or take another scheme"
 )
 
+STILL = said("with these speeds {member}, which is driven, stands still: no share of 0 can be told")
+
 
 def failures(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield each condition that is broken, a sentence each: the train moves, but cannot be made."""
@@ -24,6 +26,8 @@ def failures(drawn: Drawn, language: str) -> Iterator[str]:
     for verdict in check(made.order, made.train):
         if not verdict.holds:
             yield _(verdict.text)
+    if made.rates.difference is None:
+        yield _(STILL, member=made.motion.driven)
     if locks(drawn):
         yield _(LOCKED, member=made.motion.first)
 

@@ -230,10 +230,10 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
         "planetary_satellites": sizes.satellites,
         f"planetary_{found}": rates.due,
         f"planetary_{found}_drawn": rates.drawn,
-        (
-            "planetary_difference" if sizes.ratio is not None else "planetary_omega_difference"
-        ): rates.difference,
     }
+    if rates.difference is not None:
+        apart = "difference" if sizes.ratio is not None else "omega_difference"
+        results[f"planetary_{apart}"] = rates.difference
     if pairs.ratio is not None:
         results["overall_ratio"] = pairs.ratio
     choose_scales(draft, Drawn(order, motion, train, end, axial, picture, rates, pairs, size))

@@ -29,6 +29,7 @@ from graphic_tmm.chapters.trains.formulas import miss_of_ratio, ratio_of_segment
 from graphic_tmm.chapters.trains.motion import Motion
 from graphic_tmm.chapters.trains.pictures import EndView
 from graphic_tmm.chapters.trains.task import Scheme, Train
+from graphic_tmm.chapters.trains.tooth_conditions import stands_still
 
 VELOCITIES = "planetary-velocities"
 RATES = "planetary-rates"
@@ -66,7 +67,7 @@ class Rates:
     along the axes of bevel wheels the pole, where all that stands is, is ``distance`` along the axis from O and
     ``depth`` above it. ``due`` by
     Willis, ``drawn`` as measured: driving over driven, or a differential's third angular velocity, 1/s;
-    ``difference`` of both, %.
+    ``difference`` of both, %, None where what is driven stands still.
     """
 
     mu: Mark
@@ -79,7 +80,7 @@ class Rates:
     values: Mapping[str, Mark]
     due: Mark
     drawn: Mark
-    difference: Mark
+    difference: Mark | None
 
 
 def draw_picture(
@@ -186,17 +187,30 @@ def draw_rates(
             measure_along, f"s_{body}", foot, ends[body], line, why=why.RATE_READ
         )
         values[body] = draft.draw(in_si, f"ω_{body}", segments[body], unit="1/s")
-    driven = motion.driven
-    if sizes.ratio is not None:
-        letter = f"U′_{{{motion.first}{driven}}}"
-        drawn = draft.draw(ratio_of_segments, letter, segments[motion.first], segments[driven])
-        due = sizes.ratio
-        difference = draft.draw(miss_of_ratio, "ΔU", drawn, due, unit="%", why=why.COMPARED)
+    compared = compare(draft, motion, train, sizes, picture.omegas, segments, values)
+    return Rates(mu, depth, distance, pole, foot, ends, segments, values, *compared)
+
+
+def compare(
+    draft: Draft,
+    motion: Motion,
+    train: Train,
+    sizes: Dimensions,
+    omegas: Mapping[str, Mark],
+    segments: Mapping[str, Mark],
+    values: Mapping[str, Mark],
+) -> tuple[Mark, Mark, Mark | None]:
+    """Calculate what is due by Willis, what was drawn, and how far both differ: not of what stands still."""
+    if sizes.ratio is None:
+        name, drawn = "Δω", values[motion.driven]
+        due = draw_willis(draft, motion, train.scheme, sizes.teeth, omegas)
+        if stands_still(train, motion):
+            return due, drawn, None
     else:
-        due = draw_willis(draft, motion, train.scheme, sizes.teeth, picture.omegas)
-        drawn = values[driven]
-        difference = draft.draw(miss_of_ratio, "Δω", drawn, due, unit="%", why=why.COMPARED)
-    return Rates(mu, depth, distance, pole, foot, ends, segments, values, due, drawn, difference)
+        name, letter, due = "ΔU", f"U′_{{{motion.first}{motion.driven}}}", sizes.ratio
+        read = segments[motion.first], segments[motion.driven]
+        drawn = draft.draw(ratio_of_segments, letter, *read)
+    return due, drawn, draft.draw(miss_of_ratio, name, drawn, due, unit="%", why=why.COMPARED)
 
 
 def draw_willis(

@@ -164,7 +164,8 @@ def ratio_lines(
             yield mark
 
     measured = (made.rates.drawn, made.rates.difference)
-    marks = [*leads_to(made.rates.due), *(m for m in measured if np.isfinite(reading[m]).all())]
+    shown = (mark for mark in measured if mark is not None and np.isfinite(reading[mark]).all())
+    marks = [*leads_to(made.rates.due), *shown]
     return calculated_lines(construction, reading, marks, language)
 
 

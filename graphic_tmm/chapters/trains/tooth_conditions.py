@@ -14,7 +14,7 @@ from graphic_tmm.board.grammar import Operation
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.trains import formulas as f
 from graphic_tmm.chapters.trains.motion import Motion, motion_of
-from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme, module_ratio
+from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme, Train, module_ratio
 
 Whole = NDArray[np.int64]
 Truths = NDArray[np.bool_]
@@ -82,6 +82,21 @@ def held_rates(scheme: Scheme, z: Mapping[str, Any]) -> dict[str, Any]:
     whole = math.prod(z[mesh.wheel] for mesh in scheme.meshes)
     rates = {m.wheel: -m.sense * z[m.rim] * (whole // z[m.wheel]) for m in scheme.meshes}
     return rates | {"H": 0 * whole, scheme.rims[0]: whole}
+
+
+def rates_of(train: Train, motion: Motion) -> tuple[dict[str, Any], float]:
+    """Return the rates with the carrier held, and times how much (1/s) its members have them as they move."""
+    rates = held_rates(train.scheme, dict(zip(train.scheme.wheels, train.teeth, strict=True)))
+    known = dict(motion.driving) | ({motion.fixed: 0.0} if motion.fixed else {})
+    (one, at_one), (other, at_other) = known.items()
+    return rates, (at_one - at_other) / (rates[one] - rates[other])
+
+
+def stands_still(train: Train, motion: Motion) -> bool:
+    """Return whether what is driven stands, all but rounding, while others move."""
+    rates, spin = rates_of(train, motion)
+    own: float = motion.driving[motion.first] + spin * (rates[motion.driven] - rates[motion.first])
+    return abs(own) <= SLACK * max(map(abs, motion.driving.values()))
 
 
 def ratio(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> NDArray[np.float64]:

@@ -14,7 +14,7 @@ from graphic_tmm.chapters.trains.dimensions import draw_held
 from graphic_tmm.chapters.trains.motion import Motion
 from graphic_tmm.chapters.trains.plan import Planetary
 from graphic_tmm.chapters.trains.task import Train
-from graphic_tmm.chapters.trains.tooth_conditions import held_rates
+from graphic_tmm.chapters.trains.tooth_conditions import rates_of
 from graphic_tmm.language.said import said
 
 TORQUES = "planetary-torques"
@@ -181,10 +181,7 @@ def mesh_flows(train: Train, motion: Motion, eta: float = 1.0) -> dict[str, int]
     without losses where none does.
     """
     names = train.scheme.members
-    rates = held_rates(train.scheme, dict(zip(train.scheme.wheels, train.teeth, strict=True)))
-    known = dict(motion.driving) | ({motion.fixed: 0.0} if motion.fixed else {})
-    (one, at_one), (other, at_other) = known.items()
-    spin = (at_one - at_other) / (rates[one] - rates[other])
+    rates, spin = rates_of(train, motion)
     if spin == 0.0:
         return dict.fromkeys(names, 0)
     due = [math.copysign(1.0, spin * rates[name]) for name in names]

@@ -119,6 +119,28 @@ def test_a_differential_of_the_book() -> None:
     assert found == pytest.approx({"1": 100.0, "2": -80.0, "3": -20.0, "H": 10.0}, rel=1e-12)
 
 
+@pytest.mark.parametrize(
+    ("given", "member"),
+    [
+        ('scheme = "ring"\nspeed = ["72 rpm", "-24 rpm"]\nteeth = [24, 24, 72]', "H"),
+        ('scheme = "ring"\ndriving = ["H", "1"]\nspeed = ["25 rpm", "100 rpm"]\nteeth = [24, 24, 72]', "3"),
+        ('scheme = "bevel"\ndriving = ["1", "3"]\nspeed = ["70 rpm", "-70 rpm"]\nteeth = [20, 14, 20]', "H"),
+        ('scheme = "external"\nspeed = ["20 rpm", "40 rpm"]\ndriving = ["H", "1"]\nteeth = [20, 20]', "2"),
+    ],
+)  # fmt: skip
+def test_a_driven_shaft_that_stands_still_is_told(given: str, member: str, tmp_path: Path) -> None:
+    """72·24 = 24·72 and the like; no share of nothing is calculated, in numbers or in words."""
+    section = f'[planetary]\nmodule = "5 mm"\n{given}\n'
+    scene = read(calling(tmp_path, section, sheet="", head='title = "T"\nlanguage = "en"\n'))
+    (board,) = make(scene, exact=True).boards
+    (only,) = [str(one) for one in warnings(board)]
+    assert f"{member}, which is driven, stands still" in only
+    found = {name: value[0].item() for name, value in results_of(board).items()}
+    assert found["planetary_omega"] == pytest.approx(0.0, abs=1e-9)
+    assert found[f"planetary_n_{member}"] == pytest.approx(0.0, abs=1e-7)
+    assert "planetary_omega_difference" not in found
+
+
 def test_what_cannot_be_made_is_told_and_drawn(tmp_path: Path) -> None:
     """18-12-42 and four satellites: speeds of 18-12-42 are carrier 0.3 and satellite −0.75 of the sun."""
     section = (
