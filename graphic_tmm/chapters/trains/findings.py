@@ -21,10 +21,10 @@ STILL = said("with these speeds {member}, which is driven, stands still: no shar
 
 
 def failures(drawn: Drawn, language: str) -> Iterator[str]:
-    """Yield each condition that is broken, a sentence each: the train moves, but cannot be made."""
+    """Yield each condition that is broken, or holds by a shift, a sentence each."""
     made, _ = PLANETARY_PLAN.on(drawn), speaking(language)
     for verdict in check(made.order, made.train):
-        if not verdict.holds:
+        if verdict.noteworthy:
             yield _(verdict.text)
     if made.rates.difference is None:
         yield _(STILL, member=made.motion.driven)

@@ -22,10 +22,6 @@ SLACK = 1e-12
 """A ratio that misses its tolerance by less than this share of itself is within it: it is rounding."""
 
 
-STEEP = 30.0
-"""The largest pressure angle of a wheel cut with a shift, degrees: beyond it teeth come to a point."""
-
-
 class Teeth(NamedTuple):
     """Tooth numbers in the form of two rows, (n,) each."""
 
@@ -136,14 +132,19 @@ def coaxial(scheme: Scheme, z: Teeth, q: Fraction) -> Truths:
 def shifted(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> Truths:
     """Return whether one wide satellite meshes with both wheels, the last one cut with a shift (Ferguson).
 
-    Both rims are alike, and α_w of the last mesh, cos α_w = cos α·(z4 + z3)/(z1 + z2), is from 0 to `STEEP`.
+    Both rims are alike. cos α_w = cos α·(z4 + z3)/(z1 + z2) and inv α_w give the shift x_Σ, the distance of
+    axes y: teeth of full height keep some of their clearance c where 0 ≤ x_Σ − y ≤ c.
     """
     if scheme.rows == 1 or scheme.bevel or scheme.first < 0 or scheme.second < 0:
         return np.zeros(z.z1.shape, dtype=np.bool_)
-    cosine = math.cos(math.radians(order.alpha)) * (z.z4 + z.z3) / (z.z1 + z.z2)
-    fine = (cosine <= 1.0) & (cosine >= math.cos(math.radians(STEEP)))
+    alpha, own, due = math.radians(order.alpha), z.z4 + z.z3, z.z1 + z.z2
+    cosine = math.cos(alpha) * own / due
+    there = (cosine > 0.0) & (cosine <= 1.0)
+    angle = np.arccos(np.where(there, cosine, 1.0))
+    shift = own * (np.tan(angle) - angle - math.tan(alpha) + alpha) / (2.0 * math.tan(alpha))
+    less = shift - (due - own) / 2.0
     alike = (z.z2 == z.z3) & (z.z1 != z.z4) & (module_ratio(order) == 1)
-    return np.asarray(fine & alike)
+    return np.asarray(there & (less >= 0.0) & (less <= order.c) & alike)
 
 
 def neighbours(scheme: Scheme, z: Teeth, k: Any, q: Fraction, ha: float) -> Truths:

@@ -29,7 +29,8 @@ class Verdict(NamedTuple):
     condition : str
         One of `CONDITIONS`.
     of : str
-        The wheel ("1"), or the mesh ("3-2"), that it speaks of; "" for the whole train.
+        The wheel ("1"), or the mesh ("3-2"), that it speaks of; "" for the whole train. A common axis is one of
+        the wheel whose shift makes up for it.
     holds : bool
         Whether it is fulfilled.
     found : float
@@ -44,6 +45,11 @@ class Verdict(NamedTuple):
     holds: bool
     found: float
     text: str
+
+    @property
+    def noteworthy(self) -> bool:
+        """Whether it is told though it holds: of a wheel that is cut with a shift."""
+        return not self.holds or (self.condition == "coaxial" and self.of != "")
 
     @property
     def stands(self) -> bool:
@@ -153,7 +159,7 @@ def _coaxial(order: PlanetaryTask, scheme: Scheme, z: Teeth, q: Fraction) -> Ver
         other=_whole(second),
         fault="" if holds else fault,
     )
-    return Verdict("coaxial", wheel, holds, float(second), text)
+    return Verdict("coaxial", wheel, holds or wheel != "", float(second), text)
 
 
 def _neighbours(order: PlanetaryTask, train: Train, z: Teeth, q: Fraction) -> Verdict:
