@@ -68,13 +68,15 @@ def _warned(drawn: Drawn, language: str) -> Iterator[str]:
                     centre=centre,
                     first=1000.0 * other,
                     second=1000.0 * radius,
-                    modules=" ≠ ".join(f"{2000.0 * one / size:.4g}" for one in (other, radius)),
+                    module=2000.0 * other / size,
+                    own=2000.0 * radius / size,
                 )
 
 
 _TWO_RADII = said(
     "the wheel of link {link} about {centre} is in two meshes, with the pitch radii {first:.4g} and "
-    "{second:.4g} mm: one wheel has one (the module 2r/z: {modules} mm); move a centre or change teeth"
+    "{second:.4g} mm: one wheel has one (the module 2r/z: {module:.4g} ≠ {own:.4g} mm); move a centre or "
+    "change teeth"
 )
 
 

@@ -185,9 +185,10 @@ def _assembly(scheme: Scheme, k: int, z: Teeth) -> Verdict:
     number, holds = c.assembly(scheme, z, k), _said(c.assembles(scheme, z, k))
     (found,) = number.results()
     text = said(
-        "assembly: {formula} = {found:.6g} is {whole}",
+        "assembly: {formula} = {sign}{found:.6g} is {whole}",
         formula=number.said(),
-        found=found,
+        sign="−" if found < 0 else "",
+        found=abs(found),
         whole=said("whole", context="assembly") if holds else said("not whole", context="assembly"),
     )
     return Verdict("assembly", "", holds, float(found), text)

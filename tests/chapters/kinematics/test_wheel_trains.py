@@ -121,6 +121,7 @@ def test_one_wheel_has_one_pitch_radius(text: str, count: int) -> None:
     told = list(WARNINGS.warnings(drawn, "en"))
     assert len(told) == count, told
     assert all("link 2 about D" in says and "4 ≠ 3.137 mm" in says for says in told)
+    assert all("4 ≠ 3,137 мм" in says for says in WARNINGS.warnings(drawn, "ru"))
 
 
 @pytest.mark.parametrize(("language", "wheel"), [("en", "wheel"), ("ru", "колесо")])

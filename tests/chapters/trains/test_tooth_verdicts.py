@@ -13,6 +13,7 @@ from support import train_oracle as oracle
 
 from graphic_tmm.chapters.trains.task import SCHEMES, Limits, PlanetaryTask, Train
 from graphic_tmm.chapters.trains.tooth_verdicts import CONDITIONS, Verdict, check
+from graphic_tmm.language.catalogue import speaking
 
 C7 = PlanetaryTask("ring", 0.008, 302.0, ratio=4.55, tolerance=0.003)
 RING = SCHEMES["ring"]
@@ -91,6 +92,13 @@ def test_a_distance_below_nothing_has_a_minus() -> None:
     (coaxial,) = verdicts(order, (20, 40), 1)["coaxial"]
     assert not coaxial.holds
     assert "20 − 40 = −20" in coaxial.text
+
+
+def test_a_number_below_nothing_has_a_minus_and_the_sign_of_its_language() -> None:
+    order = PlanetaryTask("external-external", 0.004, 1.0, teeth=(100, 20, 20, 101))
+    (assembly,) = verdicts(order, (100, 20, 20, 101), 3)["assembly"]
+    assert "= −0.333333 is not whole" in assembly.text
+    assert "= −0,333333" in speaking("ru")(assembly.text)
 
 
 def test_a_single_satellite_has_no_neighbour() -> None:
