@@ -8,6 +8,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SheetError, ViewError
 from graphic_tmm.fitting.sizes import Size, Sizing, sizes_of
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.formats import PAPERS
 from graphic_tmm.scene.chapter import MECHANISM, chapters
 from graphic_tmm.scene.records import Scene, SheetOrder
 from graphic_tmm.scene.registry import size_keys
@@ -71,8 +72,8 @@ def refusal(scene: Scene, error: ViewError) -> SheetError:
         helps = [
             said("the exact hand, --hand exact: a slip grows where lines meet at a small angle")
         ]
-    if any(order.format != "A1" for order in scene.sheets) and _held_by_a1(scene, error):
-        helps.append(said('a further sheet with format = "A1" for it'))
+    if larger := _held_by(scene, error):
+        helps.append(said('a further sheet with format = "{format}" for it', format=larger))
     says = said("{source}: {key}{error}", source=scene.source, key=key, error=error.args[0])
     if len(helps) == 1:
         says = said("{says}: what helps: {remedy}", says=says, remedy=helps[0])
@@ -83,11 +84,15 @@ def refusal(scene: Scene, error: ViewError) -> SheetError:
     return SheetError(says)
 
 
-def _held_by_a1(scene: Scene, error: ViewError) -> bool:
+def _held_by(scene: Scene, error: ViewError) -> str:
+    """Return the smallest format, not ordered yet, that holds a view; "" if none does."""
     from graphic_tmm.fitting.compose import orders
 
-    ((_, rooms),) = orders(replace(scene, sheets=(SheetOrder("A1"),)))
-    return rooms[0].within.share(*error.size) >= 1.0
+    for name in PAPERS:
+        ((_, rooms),) = orders(replace(scene, sheets=(SheetOrder(name),)))
+        if rooms[0].within.share(*error.size) >= 1.0:
+            return "" if all(order.format == name for order in scene.sheets) else name
+    return ""
 
 
 def _remedy(scene: Scene, size: Size) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
-from graphic_tmm.chapters.trains.record import locks
+from graphic_tmm.chapters.trains.record import BESIDE, locks
 from graphic_tmm.chapters.trains.tooth_verdicts import check
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -19,6 +19,11 @@ LOCKED = said(
 
 STILL = said("with these speeds {member}, which is driven, stands still: no share of 0 can be told")
 
+GAINS = said(
+    "the efficiency comes out at {eta:.4g}, more than 1: angular velocities are read off too roughly; write "
+    "a finer ruler in [hand]"
+)
+
 
 def failures(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield each condition that is broken, or holds by a shift, a sentence each."""
@@ -28,6 +33,9 @@ def failures(drawn: Drawn, language: str) -> Iterator[str]:
             yield _(verdict.text)
     if made.rates.difference is None:
         yield _(STILL, member=made.motion.driven)
+    share = BESIDE.on(drawn).efficiency
+    if share is not None and (eta := round(float(drawn.value(share)), 3)) > 1.0:
+        yield _(GAINS, eta=eta)
     if locks(drawn):
         yield _(LOCKED, member=made.motion.first)
 

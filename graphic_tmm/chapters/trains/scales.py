@@ -18,7 +18,7 @@ def _fixed(scene: Scene) -> str:
 
 
 SIZES = Sizing(
-    sizes=(Size(PLANETARY_TRAIN, low=0.75, fixed=_fixed),),
+    sizes=(Size(PLANETARY_TRAIN, low=0.75, least=0.3, fixed=_fixed),),
     depends={"planetary": lambda scene, role: (PLANETARY_TRAIN,)},
 )
 

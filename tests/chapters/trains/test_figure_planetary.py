@@ -154,6 +154,20 @@ def test_a_plan_that_cannot_be_drawn_is_told_to_be_too_large(tmp_path: Path) -> 
         composed_sheets(read(calling(tmp_path, text, sheet="", head=head)))
 
 
+def test_a_sheet_too_small_for_a_train_names_the_smallest_that_holds_it(tmp_path: Path) -> None:
+    """On A4 wheels of 80 mm would be 8 mm large; on the A3 that is named they are not."""
+    text = (
+        '[planetary]\nscheme = "bevel"\nmodule = "4 mm"\nspeed = "200 rpm"\nteeth = [20, 20, 20]\n'
+        'fixed = "H"\n[[sheet]]\nplace = ["planetary", "planetary given"]\nformat = '
+    )
+    head = 'title = "T"\nlanguage = "ru"\n'
+    with pytest.raises(SheetError, match='a further sheet with format = "A3" for it'):
+        composed_sheets(read(calling(tmp_path, text + '"A4"\n', sheet="", head=head)))
+    made, _ = composed_sheets(read(calling(tmp_path, text + '"A3"\n', sheet="", head=head)))
+    (board,) = made.boards
+    assert 0.08 / board.scales["planetary"].value > 25.0
+
+
 def test_the_train_is_drawn_step_by_step() -> None:
     log, view = drawn(PlanetaryTask("ring", 0.008, 302.4, teeth=(25, 32, 89), behind=((15, 25),)))
     made = pictures(log, view)

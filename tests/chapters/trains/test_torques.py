@@ -25,6 +25,7 @@ from graphic_tmm.chapters.trains.torques import draw_torques
 from graphic_tmm.chapters.trains.views import planetary_views
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 
 def shares(teeth: tuple[int, ...], eta: float, driving: str, fixed: str, scheme: str) -> set[float]:
@@ -205,3 +206,17 @@ def test_of_a_train_that_locks_no_torques_are_given(
     assert bool(told) == moves
     assert any(line.startswith("M_") for line in lines) == moves
     assert any("locks itself" in one for one in warnings(drawn, "en")) != moves
+
+
+@pytest.mark.parametrize(("ruler", "told"), [("1 mm", True), ("0.01 mm", False)])
+def test_an_efficiency_above_one_is_told(ruler: str, told: bool, tmp_path: Path) -> None:
+    """Nothing is lost, angular velocities are read off: a coarse ruler makes more of it than 1."""
+    text = (
+        '[planetary]\nscheme = "ring"\nmodule = "5 mm"\nspeed = "97 rpm"\ndriving = "1"\nfixed = "H"\n'
+        'teeth = [18, 40, 98]\nmoment = "10 N m"\nsatellites = 2\n'
+        f'[hand]\nruler = "{ruler}"\n[[sheet]]\nplace = ["planetary"]\n'
+    )
+    scene = read(calling(tmp_path, text, sheet="", head='title = "T"\nlanguage = "en"\n'))
+    (board,) = make(scene).boards
+    says = [one for one in warnings(board, "en") if "more than 1" in one]
+    assert bool(says) == told

@@ -33,6 +33,13 @@ CASES = {
     "two rows": ("external-internal", case("external-internal", "[24, 36, 24, 84]")),
     "outside": ("external-external", case("external-external", "[40, 30, 28, 42]")),
     "inside": ("internal-internal", case("internal-internal", "[90, 30, 36, 96]")),
+    "wide": (
+        "external-external",
+        case(
+            "external-external", "[100, 20, 20, 101]", 'driving = "H"\nfixed = "1"\nsatellites = 1'
+        ),
+    ),
+    "in a ring": ("internal", case("internal", "[60, 24]", 'driving = "H"\nfixed = "1"')),
     "arm": ("external", case("external", "[40, 20]")),
     "behind another": ("ring", case("ring", "[25, 32, 89]", "before = [20, 30]")),
 }
