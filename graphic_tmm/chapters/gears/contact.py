@@ -50,7 +50,7 @@ class Contact:
     ``pitch``: the base pitch as measured (Length); ``drawn``: ab over it; ``difference`` from the formula, %.
     """
 
-    wheels: tuple[Engagement, Engagement]
+    wheels: tuple[Engagement, ...]
     pair: tuple[Mark, Mark]
     pitch: Mark
     drawn: Mark
@@ -66,16 +66,13 @@ def draw_contact(
     draft: Draft,
     sizes: GearSizes,
     line: ActionLine,
-    wheels: tuple[Wheel, Wheel],
+    wheels: tuple[Wheel, ...],
     value: Callable[[Mark], float],
 ) -> Contact:
     """Draw the working parts of the flanks and the arcs of engagement; measure the contact ratio."""
     (a, b) = line.ends
     near = [0.0 <= value(w.lowest) < NEAR * value(w.r_b) for w in sizes.wheels]
-    engaged = (
-        _engagement(draft, 0, line, wheels[0], near[0]),
-        _engagement(draft, 1, line, wheels[1], near[1]),
-    )
+    engaged = tuple(_engagement(draft, k, line, wheel, near[k]) for k, wheel in enumerate(wheels))
     pitch = draft.draw(to_board, "[p_{b}]", sizes.p_b)
     onward = draft.draw(parallel, "(ab)", a, line.line, sense=1, why=why.NEXT_PAIR)
     backward = draft.draw(parallel, "(ba)", b, line.line, sense=-1, why=why.NEXT_PAIR)
@@ -186,6 +183,8 @@ def record_checks(draft: Draft, sizes: GearSizes) -> tuple[Check, ...]:
                 Check("interference", i, wheel.lowest, wheel.cut.free, size),
             ]
         found.append(Check("clearance", i, wheel.clearance, zero, size))
+    if sizes.rack is not None:
+        found.append(Check("clearance", 2, sizes.rack.clearance, zero, size))
     if (ring := sizes.ring) is not None:
         wheel = sizes.wheels[1]
         tip = wheel.r_a if wheel.top is wheel.r_b else wheel.top

@@ -14,22 +14,20 @@ from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.gears import formulas as g
 from graphic_tmm.chapters.gears import rack
 from graphic_tmm.chapters.gears import ring as inside
+from graphic_tmm.chapters.gears.driven_rack import (
+    CLEAR,
+    LOWEST,
+    DrivenRack,
+    calculate_axis,
+    calculate_rack,
+    contact_ratio_with_rack,
+)
 from graphic_tmm.chapters.gears.helical import NORMAL, Helix, draw_helix
+from graphic_tmm.chapters.gears.rack import RackSizes
 from graphic_tmm.chapters.gears.shifts import Axes, Section, calculate_axes, letter_of
 from graphic_tmm.chapters.gears.task import GearTask
 
 VIEW = "gear-dimensions"
-
-
-@dataclass(frozen=True)
-class RackSizes:
-    """The basic rack (Number, m): ha, c (of the module), rounding ρ, depth h and offset of its centre."""
-
-    ha: Mark
-    c: Mark
-    rounding: Mark
-    straight: Mark
-    offset: Mark
 
 
 @dataclass(frozen=True)
@@ -89,7 +87,8 @@ class GearSizes:
 
     ``alpha``: of the section that is drawn. ``x_sum``: of both shifts, if it is given or follows.
     ``beyond``: of each wheel, whether the teeth of the other reach beyond its limit point N. ``ring``,
-    ``helix``: None if there is none.
+    ``rack``, ``helix``: None if there is none. With a rack there is one wheel, and ``a_w`` is the distance of
+    the datum line from its axis.
     """
 
     order: GearTask
@@ -99,9 +98,9 @@ class GearSizes:
     inv: Mark
     inv_w: Mark
     alpha_w: Mark
-    a: Mark
+    a: Mark | None
     a_w: Mark
-    y: Mark
+    y: Mark | None
     dy: Mark
     p: Mark
     p_b: Mark
@@ -109,16 +108,18 @@ class GearSizes:
     h_w: Mark
     contact_ratio: Mark
     least_tip: Mark
-    wheels: tuple[WheelSizes, WheelSizes]
-    beyond: tuple[bool, bool]
+    wheels: tuple[WheelSizes, ...]
+    beyond: tuple[bool, ...]
     x_sum: Mark | None
     ring: inside.Ring | None
+    rack: DrivenRack | None
     helix: Helix | None
 
     @property
     def racks(self) -> tuple[RackSizes, ...]:
-        """The racks that cut the wheels."""
-        return tuple(wheel.cut.rack for wheel in self.wheels if wheel.cut)
+        """The racks that cut the wheels, and that which a driven one is like."""
+        cuts = tuple(wheel.cut.rack for wheel in self.wheels if wheel.cut)
+        return cuts if self.rack is None else (*cuts, self.rack.profile)
 
 
 def known(draft: Draft) -> Callable[[Mark], float]:
@@ -149,13 +150,14 @@ def calculate_sizes(draft: Draft, order: GearTask) -> GearSizes:
     if helix is not None:
         drawn = Section(helix.m, helix.alpha, helix.ha, helix.c)
     racks = _racks(draft, drawn, order)
-    axes = calculate_axes(draft, order, normal, drawn, helix)
-    y = draft.draw(g.perceived_shift, "y", axes.a_w, axes.a, m)
-    if order.delta_y is None:
+    axes_of = calculate_axis if order.racked else calculate_axes
+    axes = axes_of(draft, order, normal, drawn, helix)
+    y = axes.a and draft.draw(g.perceived_shift, "y", axes.a_w, axes.a, m)
+    if order.delta_y is None and y is not None:
         op = inside.equalising_shift_inside if order.internal else g.equalising_shift
         dy = draft.draw(op, "Δy", *axes.x, y)
     else:
-        dy = draft.take(Number, "Δy", order.delta_y)
+        dy = draft.take(Number, "Δy", order.delta_y or 0.0)
     p = draft.draw(g.pitch_of, letter_of(order, "p"), drawn.m, unit="m")
     p_b = draft.draw(g.times_cosine, letter_of(order, "p_{b}"), p, drawn.alpha, unit="m")
     h = h_w = None
@@ -163,26 +165,38 @@ def calculate_sizes(draft: Draft, order: GearTask) -> GearSizes:
         h = draft.draw(g.tooth_height, "h", m, ha[0], c, dy, unit="m")
         h_w = draft.draw(g.working_depth, "h_{w}", m, ha[0], dy, unit="m")
     pair = _Pair(normal, drawn, axes, dy, racks, helix)
-    shape = [_shape(draft, pair, k, order) for k in range(2)]
+    shape = [_shape(draft, pair, k, order) for k in range(len(axes.z))]
     value = known(draft)
-    tops = [_top(one, value) for one in shape]
-    limits = [_limits(draft, k, pair, shape, tops[1 - k], order.internal) for k in range(2)]
+    tops, mate, ring = [_top(one, value) for one in shape], None, None
+    if order.racked:
+        mate = calculate_rack(
+            draft, order, normal, axes, (p, drawn.alpha, tops[0].radius), racks[1]
+        )
+        limits = [_limits_on_rack(draft, pair, shape[0], mate)]
+    else:
+        limits = [_limits(draft, k, pair, shape, tops[1 - k], order.internal) for k in range(2)]
     value = known(draft)
-    beyond = (value(limits[0]["lowest"]) < 0.0, value(limits[1]["lowest"]) < 0.0)
-    ring = None
+    beyond = tuple(value(one["lowest"]) < 0.0 for one in limits)
     if order.internal:
         both = (axes.a_w, axes.alpha_w)
         ring = inside.check_ring(draft, both, axes.z, tuple(tops), shape[1]["r_b"], beyond[0])
-    ratio = _contact_ratio(draft, axes, (tops[0].angle, tops[1].angle), beyond, order.internal)
+    if mate is not None and not beyond[0]:
+        reach = (drawn.alpha, drawn.ha[1], axes.x_drawn[0])
+        ratio = draft.draw(contact_ratio_with_rack, "ε_{α}", axes.z[0], tops[0].angle, *reach)
+    else:
+        angles = tuple(top.angle for top in tops)
+        ratio = _contact_ratio(draft, axes, angles, beyond, order.internal)
     if h is None or h_w is None:
         h = draft.draw(inside.less, "h", shape[0]["r_a"], shape[0]["r_f"], unit="m")
         h_w = draft.draw(inside.less, "h_{w}", h, limits[0]["clearance"], unit="m")
     k_tip = draft.take(Number, "k_{s}", order.least_tip)
     least = draft.draw(share, "[s_{a}]", m, k_tip, unit="m")
-    wheels = [_wheel(pair, k, shape[k], tops[k], limits[k]) for k in range(2)]
+    wheels = tuple(
+        _wheel(pair, k, *of) for k, of in enumerate(zip(shape, tops, limits, strict=True))
+    )
     return GearSizes(
         order, m, drawn.m, drawn.alpha, axes.inv, axes.inv_w, axes.alpha_w, axes.a, axes.a_w, y, dy, p, p_b,
-        h, h_w, ratio, least, (wheels[0], wheels[1]), beyond, axes.x_sum, ring, helix,
+        h, h_w, ratio, least, wheels, beyond, axes.x_sum, ring, mate, helix,
     )  # fmt: skip
 
 
@@ -226,7 +240,9 @@ def _shape(draft: Draft, pair: _Pair, k: int, order: GearTask) -> dict[str, Mark
     x, r, shift = pair.axes.x[k], pair.axes.r[k], pair.axes.x_drawn[k]
     root, tip, thick = how = _RING if order.internal and k else _WHEEL
     r_b = draft.draw(g.times_cosine, f"r_{{b{i}}}", r, alpha, unit="m")
-    r_w = draft.draw(g.over_cosine, f"r_{{w{i}}}", r_b, pair.axes.alpha_w, unit="m")
+    r_w = r
+    if not order.racked:
+        r_w = draft.draw(g.over_cosine, f"r_{{w{i}}}", r_b, pair.axes.alpha_w, unit="m")
     r_f = draft.draw(root, f"r_{{f{i}}}", r, m, ha[_deeper(order, k)], c, x, unit="m")
     r_a = draft.draw(tip, f"r_{{a{i}}}", r, m, ha[k], x, pair.dy, unit="m")
     s = draft.draw(thick, letter_of(order, "s", i), wide, shift, alpha, unit="m")
@@ -304,14 +320,14 @@ def _top(shape: dict[str, Mark], value: Callable[[Mark], float]) -> _Top:
 
 
 def _contact_ratio(
-    draft: Draft, axes: Axes, tips: tuple[Mark, Mark], beyond: tuple[bool, bool], internal: bool
+    draft: Draft, axes: Axes, tips: tuple[Mark, ...], beyond: tuple[bool, ...], internal: bool
 ) -> Mark:
     """Calculate the contact ratio: from tip to tip, or from a limit point beyond which a tip reaches."""
     z = axes.z
-    if all(beyond):
+    if all(beyond) and len(z) == 2:
         return draft.draw(g.contact_of_limits, "ε_{α}", *z, axes.alpha_w)
-    for k in range(2):
-        if beyond[k]:
+    for k, cut_off in enumerate(beyond):
+        if cut_off:
             return draft.draw(g.contact_from_limit, "ε_{α}", z[k], tips[k])
     op = inside.contact_ratio_inside if internal else g.contact_ratio
     return draft.draw(op, "ε_{α}", z[0], tips[0], z[1], tips[1], axes.alpha_w)
@@ -336,6 +352,18 @@ def _limits(
     clear = inside.clearance_inside if internal else g.tip_clearance
     found["clearance"] = draft.draw(clear, f"c_{i}", axes.a_w, *gap, unit="m")
     return found
+
+
+def _limits_on_rack(
+    draft: Draft, pair: _Pair, own: dict[str, Mark], mate: DrivenRack
+) -> dict[str, Mark]:
+    """Calculate where the flank works lowest, how low it may, the clearance at the root of the wheel."""
+    reach = (pair.axes.r[0], pair.drawn.alpha, mate.h_a, pair.axes.x_drawn[0], pair.drawn.m)
+    return {
+        "lowest": draft.draw(rack.limit_curvature, "ρ_{p1}", *reach, unit="m", why=LOWEST),
+        "free": draft.draw(rack.not_negative, "[ρ_{p1}]", own["limit"], unit="m"),
+        "clearance": draft.draw(inside.less, "c_1", mate.tip, own["r_f"], unit="m", why=CLEAR),
+    }
 
 
 def _wheel(

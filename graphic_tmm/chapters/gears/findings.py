@@ -31,6 +31,11 @@ FAILS = {
         "is {value:.3g} mm, its involute begins at {least:.3g} mm; the contact ratio {ratio:.4g} is the most "
         "that the line of action leaves; take a greater x{wheel}"
     ),
+    "tips of the rack": said(
+        "interference: the tips of the rack reach a point of wheel {wheel} where the radius of curvature is "
+        "{value:.3g} mm, its involute begins at {least:.3g} mm; the contact ratio {ratio:.4g} is the most that "
+        "the line of action leaves; take a greater x{wheel}"
+    ),
     "clearance": said(
         "the tips of wheel {other} cut {depth:.3g} mm into the roots of wheel {wheel}: leave delta_y out, or "
         "take a greater one"
@@ -72,9 +77,12 @@ def failures(drawn: Drawn, language: str) -> Iterator[str]:
         if one.name == "interference" and ringed:
             continue
         mm = 1000.0 if one.unit == "m" else 1.0
-        top = made.sizes.wheels[one.wheel - 1].top
+        top = made.sizes.wheels[min(one.wheel, len(made.sizes.wheels)) - 1].top
+        name = one.name
+        if made.rack and name == "interference":
+            name = "tips of the rack"
         yield _(
-            FAILS[one.name],
+            FAILS[name],
             wheel=one.wheel,
             other=3 - one.wheel,
             value=mm * one.value,

@@ -5,12 +5,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator
-from itertools import pairwise
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.chapters.gears.ink_rack import RackInk, rack_bodies, rack_letters, rack_rules
 from graphic_tmm.chapters.gears.line import VIEW
-from graphic_tmm.chapters.gears.outline import RULES, flank, outline, part, sector, spot
+from graphic_tmm.chapters.gears.outline import RULES, flank, hatched, outline, part, sector, spot
 from graphic_tmm.chapters.gears.plan import Gear
 from graphic_tmm.chapters.gears.teeth import Wheel
 from graphic_tmm.language.numbers import fixed
@@ -21,7 +21,7 @@ from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.mark_rules import dotted, leaving
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.seen import Rule, Seen, Subject
-from graphic_tmm.paper.symbols.dimensions import dimension
+from graphic_tmm.paper.symbols.dimensions import BEYOND, dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead, round_arrow, turning_pair
 
 OVER = 14.0
@@ -47,8 +47,12 @@ class MeshInk:
         self.limits = [self.at(mark) for mark in made.line.limits]
         self.ends = [self.at(mark) for mark in made.line.ends]
         self.centres = [self.at(circles.centre) for circles in made.line.circles]
-        self.ring = made.sizes.ring is not None
-        self.sides = (-1, -1) if self.ring else (-1, 1)
+        self.ring, self.rack = made.sizes.ring is not None, made.line.rack
+        self.teeth = None
+        if made.rack is not None and self.rack is not None:
+            self.teeth = RackInk(reading, made.rack, self.rack)
+        self.sides = (-1, -1) if self.ring else (-1, 1)[: len(self.centres)]
+        self.opposite = self.at(self.rack.foot) if self.rack else self.centres[1]
         self.angle = self.real(made.line.angle)
         self.way = cmath.rect(1.0, math.radians(self.angle))
 
@@ -56,7 +60,8 @@ class MeshInk:
     def reach(self) -> float:
         """The radius of the arc of α_w, mm; N1N2 may be far longer than the teeth of a ring are broad."""
         own = ANGLE * self.real(self.line.length)
-        return min(own, abs(self.ends[1] - self.limits[0])) if self.ring else own
+        whole = abs(self.ends[1] - self.limits[0])
+        return ANGLE * whole if self.rack else min(own, whole) if self.ring else own
 
     def at(self, mark: Mark) -> complex:
         """Where a point stands."""
@@ -72,16 +77,17 @@ class MeshInk:
 
     def shows_centre(self, k: int) -> bool:
         """Whether the centre of a wheel stands on the drawing."""
-        whole = abs(self.centres[1] - self.centres[0]) <= WHOLE
+        whole = abs(self.opposite - self.centres[0]) <= WHOLE
         return whole or abs(self.centres[k] - self.pole) <= REACH
 
 
 def circles_of(wheel: Wheel) -> tuple[tuple[Mark, str, str], ...]:
     """Return the circles of a wheel with their pens and letters."""
     own, i = wheel.circles, wheel.sizes.number
+    working = ((own.working, "centre", f"r_{{w{i}}}"),)
     return (
         (own.tip, "thin", f"r_{{a{i}}}"),
-        (own.working, "centre", f"r_{{w{i}}}"),
+        *(working if own.working is not own.pitch else ()),
         (own.pitch, "centre", f"r_{{{i}}}"),
         (own.base, "thin", f"r_{{b{i}}}"),
         (own.root, "thin", f"r_{{f{i}}}"),
@@ -90,8 +96,6 @@ def circles_of(wheel: Wheel) -> tuple[tuple[Mark, str, str], ...]:
 
 DOT = 0.6
 """Radius of a point of the construction, mm."""
-BAND, PITCH = 2.0, 1.6
-"""Breadth of the hatched band along the working part of a flank, and the pitch of its strokes, mm."""
 ASIDE = 8.0
 """From the ink to the dimension of the distance of the centres, mm."""
 
@@ -105,13 +109,19 @@ def draw_gear_ink(on: Subject, made: Gear) -> Drawing:
     traces = figure(on.seen((VIEW,), range(made.rows.axis)), showing(_rules(ink), RULES))
     strokes: list[Ink] = [*traces.staying, *_bodies(ink)]
     taken: list[Label] = []
-    if ink.shows_centre(0) and ink.shows_centre(1):
+    if all(map(ink.shows_centre, range(len(ink.centres)))):
         left = bounds(Drawing(VIEW, on.title, tuple(strokes)))[0]
-        told = f"a_{{w}} = {fixed(1000 * ink.real(made.sizes.a_w), 2, on.language)}"
+        letter = made.sizes.a_w.letter
+        told = f"{letter} = {fixed(1000 * ink.real(made.sizes.a_w), 2, on.language)}"
         aside = TURN + 2 * ASIDE if ink.ring else ink.centres[0].real - left + ASIDE
-        size = dimension(ink.centres[0], ink.centres[1], aside, told, on.heights.number)
+        size = dimension(ink.centres[0], ink.opposite, aside, told, on.heights.number)
         centres = [circles.centre for circles in made.line.circles]
-        strokes += body(size.strokes, "dimension", centres)
+        centres += [ink.rack.foot] if ink.rack else []
+        shown = list(size.strokes)
+        if ink.teeth is not None:  # the datum line itself leads to the dimension
+            end = ink.opposite - aside - BEYOND
+            shown[1] = line("thin", complex(ink.teeth.ends[0].real - OVER, end.imag), end)
+        strokes += body(shown, "dimension", centres)
         taken.append(size.label._replace(of=tuple(mark.slot for mark in centres)))
     return traces.drawing(on, strokes, _letters(ink, on.heights), taken)
 
@@ -131,6 +141,8 @@ def _rules(ink: MeshInk) -> dict[Mark, Rule]:
         rules[mark] = _limit(ink, k)
     for wheel in made.wheels:
         rules |= {mark: _circle(ink, wheel, pen) for mark, pen, _ in circles_of(wheel)}
+    if ink.teeth is not None:
+        rules |= rack_rules(ink.teeth, own)
     for mark in made.contact.pair:
         z = ink.at(mark)
         rules[mark] = leaving(line("thin", z - TICK * 1j * ink.way, z + TICK * 1j * ink.way))
@@ -145,6 +157,8 @@ def _rules(ink: MeshInk) -> dict[Mark, Rule]:
 def _centre_line(ink: MeshInk) -> Iterator[Ink]:
     """The line of centres; to one that is left out an arrow points."""
     ends = [ink.pole + 1j * OVER] if ink.ring else []
+    if ink.teeth is not None:
+        ends = [1j * (ink.teeth.ends[0].imag + OVER)]
     for k, side in enumerate(ink.sides):
         own = abs(ink.centres[k] - ink.pole) + OVER
         reach = own if ink.shows_centre(k) else min(own, REACH)
@@ -156,7 +170,7 @@ def _centre_line(ink: MeshInk) -> Iterator[Ink]:
 
 def _action(ink: MeshInk) -> Ink:
     """The line of action from limit to limit, of a ring to b, and a little farther."""
-    spots = (ink.limits[1], ink.ends[1]) if ink.ring else ink.limits
+    spots = (ink.limits[-1], ink.ends[1]) if ink.ring or ink.rack else ink.limits
     return line("thin", spots[0] - OVER * ink.way, spots[1] + OVER * ink.way)
 
 
@@ -224,6 +238,8 @@ def _bodies(ink: MeshInk) -> Iterator[Ink]:
         yield from outline(ink.reading, wheel)
         strokes = _band(ink, wheel, engaged.lowest)
         yield from body(strokes, "hatching", [wheel.flank, engaged.lowest])
+    if ink.teeth is not None:
+        yield from rack_bodies(ink.teeth)
     for k, side in enumerate(ink.sides):
         start, sweep = -130.0 * side, 80.0 * side
         if ink.shows_centre(k):
@@ -238,17 +254,7 @@ def _band(ink: MeshInk, wheel: Wheel, lowest: Mark) -> Iterator[Ink]:
     if not (whole and cmath.isfinite(low)):
         return
     piece = cut(whole, nearest(whole, low), float(len(whole) // 3))
-    spots = [complex(z) for z in points(piece, 60)]
-    inner = [z + BAND * 1j * (w - z) / abs(w - z) for z, w in pairwise(spots) if w != z]
-    if len(inner) < 2:
-        return  # the flank works in one point only
-    yield line("thin", *inner)
-    gone = 0.0
-    for k, (z, w) in enumerate(pairwise(spots)):
-        gone += abs(w - z)
-        if gone >= PITCH and k + 2 < len(inner):
-            gone = 0.0
-            yield line("thin", w, inner[min(k + 2, len(inner) - 1)])
+    yield from hatched([complex(z) for z in points(piece, 60)])
 
 
 def _letters(ink: MeshInk, heights: Heights) -> Iterator[Wanted]:
@@ -266,6 +272,8 @@ def _letters(ink: MeshInk, heights: Heights) -> Iterator[Wanted]:
         yield Wanted(end.letter, ink.at(end), point, 1.0, toward, (end.slot,))
     for mark in ink.made.contact.pair:
         yield Wanted(mark.letter, ink.at(mark), heights.number, TICK, 1j * ink.way, (mark.slot,))
+    if ink.teeth is not None:
+        yield from rack_letters(ink.teeth, heights)
     middle = cmath.rect(ink.reach, math.radians(ink.angle / 2))
     yield Wanted(own.angle.letter, ink.pole + middle, point, 0.5, 1 + 0.2j, (own.angle.slot,))
     for wheel, engaged in zip(ink.made.wheels, ink.made.contact.wheels, strict=True):

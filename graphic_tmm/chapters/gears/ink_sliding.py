@@ -34,7 +34,7 @@ class _Ink:
         self.end = self.at(made.sliding.end)
         self.low = -made.sliding.floor / self.mu
         self.high = 1.0 / self.mu
-        self.ring = made.sizes.ring is not None
+        self.open = made.sizes.ring is not None or made.rack is not None
 
     def at(self, mark: Mark) -> complex:
         return spot(self.seen.reading, mark)
@@ -99,7 +99,7 @@ def _axes(ink: _Ink) -> Iterator[Ink]:
     yield line("thin", 1j * ink.low, top)
     yield from arrowhead(right, 1 + 0j, pen="thin")
     yield from arrowhead(top, 1j, pen="thin")
-    if not ink.ring:
+    if not ink.open:
         yield line("dashed", ink.end + 1j * ink.low, ink.end + 1j * ink.high)
     yield line("dashed", 1j * ink.high, ink.end + 1j * ink.high)
     for value in _figures(ink):
@@ -119,7 +119,7 @@ def _letters(ink: _Ink, language: str, heights: Heights) -> Iterator[Wanted]:
     yield Wanted("ϑ", 1j * (ink.high + OVER), point, 1.5, -1 + 0j)
     yield Wanted(f"x, {unit('mm', language)}", ink.end + OVER, point, 1.5, 1j + 0.5)
     yield Wanted("N_{1}", 0j, point, 1.0, -1 - 0.6j)
-    if not ink.ring:
+    if not ink.open:
         yield Wanted("N_{2}", ink.end, point, 1.0, 1 - 1j, (ink.sliding.end.slot,))
     for k, branch in enumerate(ink.sliding.branches):
         steep = complex(ink.seen.reading[branch.points][0, :STATIONS][1])

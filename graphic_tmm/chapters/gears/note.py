@@ -21,6 +21,10 @@ SLIDES = said(
     "Wheel 2 turns with {n2}; the flanks slide with {v_sa} where a pair begins to touch and with {v_sb} "
     "where it ceases, {v_sa_ratio} and {v_sb_ratio} of the velocity {v_rolling} of the rolling circles."
 )
+SLIDES_ON_RACK = said(
+    "The rack runs with {v_rolling}, {travel} in a turn of the wheel; the flanks slide with {v_sa} where a "
+    "pair begins to touch and with {v_sb} where it ceases."
+)
 SKEW = said(
     "Over the width the teeth overlap by {overlap_ratio}: in all {total_ratio} pairs touch."
 )
@@ -35,7 +39,7 @@ class GearPage(Page[Gear]):
 
     calculated = (MESHING,)
     tables = ()
-    by_results = (RATIO, SKEW, SLIDES)
+    by_results = (RATIO, SKEW, SLIDES, SLIDES_ON_RACK)
 
     def concludes(self) -> Iterator[Runs]:
         """Yield the contact ratio; one sentence where every check holds: those that fail are warnings."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.curve import bezier
@@ -12,7 +13,7 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.gears.rolling import along_arc, smooth_through
 from graphic_tmm.chapters.gears.teeth import Flank, Tooth, Wheel
 from graphic_tmm.paper.clipping import Controls, cut, nearest
-from graphic_tmm.paper.drawing import Bezier, Ink, Stroke, arc
+from graphic_tmm.paper.drawing import Bezier, Ink, Stroke, arc, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.mark_rules import curve
 from graphic_tmm.paper.seen import Rule, Seen, finite
@@ -34,6 +35,8 @@ RULES: Mapping[str, Rule] = {along_arc.name: stepped_off, smooth_through.name: c
 """By operation."""
 
 
+BAND, PITCH = 2.0, 1.6
+"""Breadth of the hatched band along the working part of a flank, and the pitch of its strokes, mm."""
 BESIDE = 0.3
 """How far the root goes on beside the outer teeth, of a pitch."""
 
@@ -127,6 +130,20 @@ def _between(start: complex, centre: complex, turn: float) -> Stroke:
     """Return the arc about a centre from a point over an angle (radians)."""
     reach = start - centre
     return arc("main", centre, abs(reach), math.degrees(cmath.phase(reach)), math.degrees(turn))
+
+
+def hatched(spots: list[complex]) -> Iterator[Ink]:
+    """Yield a hatched band to the left of a flank."""
+    inner = [z + BAND * 1j * (w - z) / abs(w - z) for z, w in pairwise(spots) if w != z]
+    if len(inner) < 2:
+        return  # the flank works in one point only
+    yield line("thin", *inner)
+    gone = 0.0
+    for k, (z, w) in enumerate(pairwise(spots)):
+        gone += abs(w - z)
+        if gone >= PITCH and k + 2 < len(inner):
+            gone = 0.0
+            yield line("thin", w, inner[min(k + 2, len(inner) - 1)])
 
 
 def sector(reading: Reading, wheel: Wheel) -> tuple[float, float]:

@@ -11,6 +11,7 @@ from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.chapters.gears.contact import Check, Contact, draw_contact, record_checks
 from graphic_tmm.chapters.gears.dimensions import GearSizes, calculate_sizes, known
 from graphic_tmm.chapters.gears.line import ActionLine, draw_action_line
+from graphic_tmm.chapters.gears.rack_teeth import RackTeeth, draw_rack
 from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_ring, refuse_sizes
 from graphic_tmm.chapters.gears.sliding import ROOM as SLIDING
 from graphic_tmm.chapters.gears.sliding import Sliding, draw_sliding
@@ -28,16 +29,17 @@ TOOTH, ACTION = 25.0, 400.0
 
 @dataclass(frozen=True)
 class Gear:
-    """The pair as drawn: its dimensions, line of action, wheels, contact, diagram of sliding, checks."""
+    """The pair as drawn: its dimensions, line of action, wheels or wheel and rack, contact, sliding, checks."""
 
     order: GearTask
     sizes: GearSizes
     rows: Rows
     line: ActionLine
-    wheels: tuple[Wheel, Wheel]
+    wheels: tuple[Wheel, ...]
     contact: Contact
     sliding: Sliding
     checks: tuple[Check, ...]
+    rack: RackTeeth | None
 
 
 GEARS_PLAN: Recorded[Gear] = Recorded(GEARS)
@@ -65,13 +67,11 @@ def draw_gear(draft: Draft, order: GearTask) -> Gear:
     checks = record_checks(draft, sizes)
     rows = choose_rows(sizes, value)
     line = draw_action_line(draft, sizes)
-    wheels = (
-        draw_wheel(draft, 0, sizes, line, rows, value),
-        draw_wheel(draft, 1, sizes, line, rows, value),
-    )
+    wheels = tuple(draw_wheel(draft, k, sizes, line, rows, value) for k in range(len(sizes.wheels)))
     contact = draw_contact(draft, sizes, line, wheels, value)
+    rack = draw_rack(draft, sizes, line, rows)
     sliding = draw_sliding(draft, sizes, line, rows, value)
-    return Gear(order, sizes, rows, line, wheels, contact, sliding, checks)
+    return Gear(order, sizes, rows, line, wheels, contact, sliding, checks, rack)
 
 
 def gear_scales(fitting: Fitting) -> dict[Mark, object]:

@@ -7,9 +7,23 @@ normal: from α, the end of the straight flank, to 90°, the bottom of the root.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 from graphic_tmm.board.formula import formula
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.language.said import said
+
+
+@dataclass(frozen=True)
+class RackSizes:
+    """The basic rack (Number, m): ha, c (of the module), rounding ρ, depth h and offset of its centre."""
+
+    ha: Mark
+    c: Mark
+    rounding: Mark
+    straight: Mark
+    offset: Mark
 
 
 @formula(

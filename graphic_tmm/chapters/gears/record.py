@@ -11,6 +11,7 @@ from graphic_tmm.board.operations.formulas import in_si, product, to_board, turn
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.gears import formulas as g
+from graphic_tmm.chapters.gears.driven_rack import sliding_on_rack, sliding_velocity_on_rack
 from graphic_tmm.chapters.gears.helical import equivalent_teeth, overlap_ratio
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear, record
 from graphic_tmm.chapters.gears.rack import least_teeth
@@ -29,8 +30,8 @@ class Motion(NamedTuple):
     ``sliding``: by place on the line of action its velocity of sliding (m/s) and that over ``rolling``.
     """
 
-    omega: tuple[Mark, Mark]
-    turns: tuple[Mark, Mark]
+    omega: tuple[Mark, ...]
+    turns: tuple[Mark, ...]
     rolling: Mark
     sliding: Mapping[str, tuple[Mark, Mark]]
 
@@ -38,20 +39,21 @@ class Motion(NamedTuple):
 class Aside(NamedTuple):
     """Marks of a pair.
 
-    ``ratio``: u12; ``path``: how much of the line of action is in use, ``arc``: that of engagement on the
-    rolling circles (Number, m). ``drawn``: of dimensions (by their marks) the lengths on the sheet (Length).
+    ``ratio``: u12, None of a rack; ``path``: how much of the line of action is in use, ``arc``: that of
+    engagement on the rolling circles (Number, m). ``drawn``: of dimensions their lengths on the sheet (Length).
     ``start``: N1 from itself (Length); ``limits``: ϑ of wheel 2 in N1 and of wheel 1 in N2 (Number), which a
-    ring has no use of. ``z_min``: of each wheel that a rack cuts, the least teeth without undercut.
+    ring has no use of; with a rack the first alone. ``z_min``: of each wheel that a rack cuts, the least teeth
+    without undercut.
     ``helical``: of a helical pair by name: overlap, both ratios together, equivalent teeth; ``motion``: where
     the speed is given.
     """
 
-    ratio: Mark
+    ratio: Mark | None
     path: Mark
     arc: Mark
     drawn: Mapping[Mark, Mark]
     start: Mark
-    limits: tuple[Mark, Mark]
+    limits: tuple[Mark, ...]
     z_min: tuple[Mark, ...]
     helical: Mapping[str, Mark]
     motion: Motion | None
@@ -65,18 +67,24 @@ def record_beside(bench: Bench) -> Aside:
     gear, draft = GEARS_PLAN.on(bench), bench.draft
     drawn = _laid_off(bench, gear)
     sizes, line = gear.sizes, gear.line
-    one, other = sizes.wheels
+    one, other = sizes.wheels[0], sizes.wheels[-1]
     draft.open(VIEW)
-    ratio = draft.draw(g.ratio_of_teeth, "u_{12}", other.z, one.z)
+    ratio = None
+    if sizes.rack is None:
+        ratio = draft.draw(g.ratio_of_teeth, "u_{12}", other.z, one.z)
     path = draft.draw(g.path_of_contact, "g_{α}", sizes.contact_ratio, sizes.p_b, unit="m")
     arc = draft.draw(g.arc_of_engagement, "s_{cd}", path, one.r_w, one.r_b, unit="m")
     for mark in (sizes.h, sizes.h_w, arc):
         drawn[mark] = draft.draw(to_board, f"[{mark.letter}]", mark, line.mu)
     start = draft.take(Length, "N_{1}N_{1}", 0.0, "mm")
-    limits = (
-        draft.draw(g.specific_sliding, "ϑ_{2N_1}", other.z, one.z, start, line.length),
-        draft.draw(g.specific_sliding, "ϑ_{1N_2}", one.z, other.z, start, line.length),
-    )
+    limits: tuple[Mark, ...]
+    if sizes.rack is not None:
+        limits = (draft.draw(sliding_on_rack, "ϑ_{2N_1}", start, line.length),)
+    else:
+        limits = (
+            draft.draw(g.specific_sliding, "ϑ_{2N_1}", other.z, one.z, start, line.length),
+            draft.draw(g.specific_sliding, "ϑ_{1N_2}", one.z, other.z, start, line.length),
+        )
     racked = [(w.number, w.cut.rack.straight, w.x_drawn) for w in sizes.wheels if w.cut]
     z_min = tuple(
         draft.draw(least_teeth, f"z_{{min{i}}}", high, sizes.module, x, sizes.alpha)
@@ -103,24 +111,26 @@ def _helical(draft: Draft, gear: Gear) -> dict[str, Mark]:
     return found
 
 
-def _motion(draft: Draft, gear: Gear, ratio: Mark, start: Mark) -> Motion:
+def _motion(draft: Draft, gear: Gear, ratio: Mark | None, start: Mark) -> Motion:
     """Calculate the speed of wheel 2 and how fast the flanks slide in the named places."""
     line, places = gear.line, {"N1": start, **_places(gear)}
     omega = draft.take(Number, "ω_{1}", gear.order.speed, "1/s")
-    driven = draft.draw(g.driven_speed, "ω_{2}", omega, ratio, unit="1/s")
+    rates = [omega]  # a rack does not turn
+    if ratio is not None:
+        rates.append(draft.draw(g.driven_speed, "ω_{2}", omega, ratio, unit="1/s"))
     turns = tuple(
-        draft.draw(turns_a_minute, f"n_{i}", one, unit="rpm")
-        for i, one in ((1, omega), (2, driven))
+        draft.draw(turns_a_minute, f"n_{i}", one, unit="rpm") for i, one in enumerate(rates, 1)
     )
     rolling = draft.draw(product, "v", omega, gear.sizes.wheels[0].r_w, unit="m/s")
     op = g.sliding_velocity if gear.sizes.ring is None else sliding_velocity_inside
+    op = op if ratio else sliding_velocity_on_rack
     pole = draft.draw(in_si, "N_{1}P·μ", line.to_pole, line.mu, unit="m")
     found = {}
     for name, x in places.items():
         real = draft.draw(in_si, f"{x.letter}·μ", x, line.mu, unit="m")
-        speed = draft.draw(op, f"v_{{s{name}}}", omega, driven, real, pole, unit="m/s")
+        speed = draft.draw(op, f"v_{{s{name}}}", *rates, real, pole, unit="m/s")
         found[name] = speed, draft.draw(g.ratio_of_speeds, f"v_{{s{name}}}/v", speed, rolling)
-    return Motion((omega, driven), (turns[0], turns[1]), rolling, found)
+    return Motion(tuple(rates), turns, rolling, found)
 
 
 def _places(gear: Gear) -> dict[str, Mark]:
@@ -132,7 +142,7 @@ def _places(gear: Gear) -> dict[str, Mark]:
         if end in line.to_ends
     }
     found["P"] = line.to_pole
-    if gear.sizes.ring is None:
+    if len(line.limits) == 2 and gear.sizes.ring is None:
         found["N2"] = line.length
     if gear.sliding.further is not None:
         found["s"] = gear.sliding.further.x

@@ -24,7 +24,7 @@ def refuse_order(order: GearTask) -> None:
     """
     for key in ("z1", "alpha", "c", "steps"):
         _bounded(key, getattr(order, key))
-    if not RING.holds(order.z2):
+    if not order.racked and not RING.holds(order.z2):
         _bounded("z2", order.z2)
     for addendum in order.addenda:
         _bounded("ha", addendum)
@@ -52,12 +52,26 @@ def refuse_order(order: GearTask) -> None:
     if order.distance is not None and order.x_sum is not None:
         says = said("x_sum is given, too: leave one of the two out, the distance gives the sum")
         raise TaskError("gears", "distance", says)
+    _refuse_rack(order)
     fixed = order.distance is not None or order.x_sum is not None
     if fixed and order.x1 is not None and order.x2 is not None:
         key = "x_sum" if order.distance is None else "distance"
         says = said("x1 and x2 are both given, too: leave one out, it follows from {key}", key=key)
         raise TaskError("gears", key, says)
     POSITIVE.refuse("gears", "least_tip", order.least_tip)
+
+
+def _refuse_rack(order: GearTask) -> None:
+    """Refuse what a rack has not, and its shift given twice."""
+    if not order.racked:
+        return
+    for key, value in (("x2", order.x2), ("x_sum", order.x_sum), ("delta_y", order.delta_y)):
+        if value is not None:
+            says = said("a rack has none: leave it out; x1 or the distance shifts its wheel")
+            raise TaskError("gears", key, says)
+    if order.distance is not None and order.x1 is not None:
+        says = said("x1 is given, too: leave one of the two out, the distance gives the shift")
+        raise TaskError("gears", "distance", says)
 
 
 def _bounded(key: str, value: object) -> None:
@@ -114,7 +128,9 @@ def _refuse_angle(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
                 "at {distance:.5g} mm the base circles leave no line of action: the distance must be greater "
                 "than {least:.5g} mm",
                 distance=1000.0 * order.distance,
-                least=1000.0 * value(sizes.a) * math.cos(math.radians(value(sizes.alpha))),
+                least=1000.0
+                * value(sizes.a or sizes.a_w)
+                * math.cos(math.radians(value(sizes.alpha))),
             ),
         )
     x1, x2 = (value(wheel.x) for wheel in sizes.wheels)
@@ -138,7 +154,7 @@ def _refuse_angle(sizes: GearSizes, value: Callable[[Mark], float]) -> None:
 
 def refuse_ring(order: GearTask) -> None:
     """Refuse a ring that has no room for its wheel."""
-    z1, z2 = order.teeth
+    z1, z2 = order.teeth[0], order.teeth[-1]
     if order.internal and z2 <= z1:
         says = said(
             "a ring of {ring} teeth has no room for a wheel of {wheel}: give it more",

@@ -172,7 +172,7 @@ class Ring:
 def check_ring(
     draft: Draft,
     axes: tuple[Mark, Mark],
-    z: tuple[Mark, Mark],
+    z: tuple[Mark, ...],
     tips: tuple[tuple[Mark, Mark], ...],
     r_b: Mark,
     beyond: bool,

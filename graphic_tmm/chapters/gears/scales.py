@@ -33,8 +33,10 @@ def factors(drawn: Drawn) -> Iterator[ScaleFactor]:
     """Yield both scale factors: by the distance of the axes, by the largest sliding."""
     gear = GEARS_PLAN.on(drawn)
     order, chart, axes = gear.order, gear.sliding.chart, value_of(drawn, gear.sizes.a_w)
-    wanted = ("[a_{w}]", order.axes)
-    yield ScaleFactor(gear.line.mu, "a_{w}", axes, fixed=order.mu, length=wanted, lengths=True)
+    wanted = (f"[{gear.sizes.a_w.letter}]", order.axes)
+    yield ScaleFactor(
+        gear.line.mu, gear.sizes.a_w.letter, axes, fixed=order.mu, length=wanted, lengths=True
+    )
     yield ScaleFactor(chart.mu, "ϑ_{max}", gear.sliding.floor, fixed=chart.wanted)
 
 

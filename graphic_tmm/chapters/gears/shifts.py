@@ -27,14 +27,15 @@ class Section(NamedTuple):
 class Axes(NamedTuple):
     """Teeth, shifts and pitch radii of both wheels, the distances, the angle of mesh.
 
-    ``x``: of the normal section, ``x_drawn`` of that which is drawn; ``x_sum``: of ``x``.
+    ``x``: of the normal section, ``x_drawn`` of that which is drawn; ``x_sum``: of ``x``. With a rack one wheel
+    has them, and ``a_w`` is the distance of the datum line from its axis.
     """
 
-    z: tuple[Mark, Mark]
-    x: tuple[Mark, Mark]
-    x_drawn: tuple[Mark, Mark]
-    r: tuple[Mark, Mark]
-    a: Mark
+    z: tuple[Mark, ...]
+    x: tuple[Mark, ...]
+    x_drawn: tuple[Mark, ...]
+    r: tuple[Mark, ...]
+    a: Mark | None
     a_w: Mark
     inv: Mark
     inv_w: Mark
@@ -58,7 +59,7 @@ def calculate_axes(
     x_sum = None
     if order.distance is None:
         x, x_sum = _shifts(draft, order, None)
-        across = _drawn_shifts(draft, helix, x)
+        across = drawn_shifts(draft, helix, x)
     r1, r2 = (
         draft.draw(pitch_radius, f"r_{i}", drawn.m, z, unit="m") for i, z in ((1, z1), (2, z2))
     )
@@ -74,7 +75,7 @@ def calculate_axes(
         angles = (inv_w, inv, normal.alpha, draft.draw(*z))
         x_sum = draft.draw(g.sum_of_shifts, "x_{Σ}", *angles)
         x, _ = _shifts(draft, order, x_sum)
-        across = _drawn_shifts(draft, helix, x)
+        across = drawn_shifts(draft, helix, x)
     else:
         op = inside.working_involute_inside if order.internal else g.working_involute
         inv_w = draft.draw(op, inv_w_, *across, drawn.alpha, z1, z2)
@@ -103,12 +104,11 @@ def _shifts(
     return (draft.draw(inside.less, names[0], *marks), other), whole
 
 
-def _drawn_shifts(draft: Draft, helix: Helix | None, x: tuple[Mark, Mark]) -> tuple[Mark, Mark]:
+def drawn_shifts(draft: Draft, helix: Helix | None, x: tuple[Mark, ...]) -> tuple[Mark, ...]:
     """Return the shifts in the section that is drawn."""
     if helix is None:
         return x
-    one, other = (
+    return tuple(
         draft.draw(g.times_cosine, f"x_{{t{i}}}", shift, helix.beta, why=LOWER)
         for i, shift in enumerate(x, 1)
     )
-    return one, other

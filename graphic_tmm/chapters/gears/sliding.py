@@ -5,7 +5,8 @@ In a limit point itself nothing is calculated: the one ϑ falls without end ther
 The stations of a curve stand in a geometric series from its own limit point on: there it falls without end, and
 its points stand the closer together the steeper it is. At the other limit point it is 1.
 
-In a ring both limits lie on one side of P: the diagram goes from N1 to b, and the ring's curve is flat.
+In a ring both limits lie on one side of P: the diagram goes from N1 to b, and the ring's curve is flat. So it
+does with a rack, whose N2 is infinitely far: its curve is a straight line.
 """
 
 from __future__ import annotations
@@ -25,6 +26,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point, Reals
 from graphic_tmm.chapters.gears import words as why
 from graphic_tmm.chapters.gears.dimensions import GearSizes
+from graphic_tmm.chapters.gears.driven_rack import sliding_on_rack
 from graphic_tmm.chapters.gears.formulas import part_of, remainder, specific_sliding
 from graphic_tmm.chapters.gears.line import ActionLine
 from graphic_tmm.chapters.gears.rolling import smooth_through
@@ -66,7 +68,7 @@ class Branch:
 
 @dataclass(frozen=True)
 class Sliding:
-    """The diagram: its chart (μ_ϑ), origin in N1, its end in N2, of a ring in b, the curves of both wheels, P.
+    """The diagram: its chart (μ_ϑ), origin in N1, its end in N2, of ring or rack in b, both curves, P.
 
     ``ends``: a and b by these letters, but those that are limit points themselves; ``further``: at the
     distances the task names, if it does; ``floor``: the lowest ordinate of the curves is minus so much.
@@ -84,15 +86,31 @@ class Sliding:
 
 @dataclass(frozen=True)
 class _Ground:
-    """What the stations stand on: the base, N1N2, the numbers of teeth; of a ring N1b."""
+    """What the stations stand on: the base, N1N2 (of a rack N1P), the teeth; of a ring or rack N1b."""
 
     base: Mark
     length: Mark
-    teeth: tuple[Mark, Mark]
+    teeth: tuple[Mark, ...]
     reach: Mark | None
 
-    def rest(self, draft: Draft, letter: str, x: Mark) -> Mark:
-        """Calculate how far a place is from the other limit point."""
+    def slidings(self, draft: Draft, letter: str, x: Mark, rest: Mark | None) -> tuple[Mark, ...]:
+        """Calculate both slidings at places so far from the limit points."""
+        if rest is None:
+            ways = ((self.length, x), (x, self.length))
+            return tuple(
+                draft.draw(sliding_on_rack, f"ϑ_{{{i}{letter}}}", *way)
+                for i, way in enumerate(ways, 1)
+            )
+        (z1, z2) = self.teeth
+        return (
+            draft.draw(specific_sliding, f"ϑ_{{1{letter}}}", z1, z2, rest, x),
+            draft.draw(specific_sliding, f"ϑ_{{2{letter}}}", z2, z1, x, rest),
+        )
+
+    def rest(self, draft: Draft, letter: str, x: Mark) -> Mark | None:
+        """Calculate how far a place is from the other limit point; None where that is infinitely far."""
+        if len(self.teeth) == 1:
+            return None
         if self.reach is None:
             return draft.draw(remainder, letter, self.length, x)
         return draft.draw(total, letter, self.length, x)
@@ -111,8 +129,8 @@ def draw_sliding(
     draft.lay_out()
     origin = draft.take(Point, "N_{1}", 0j)
     base = draft.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0), why=why.STATION)
-    reach = line.to_ends[line.ends[1]] if sizes.ring else None
-    ground = _Ground(base, line.length, (sizes.wheels[0].z, sizes.wheels[1].z), reach)
+    reach = line.to_ends[line.ends[1]] if sizes.ring or sizes.rack else None
+    ground = _Ground(base, line.length, tuple(wheel.z for wheel in sizes.wheels), reach)
     end = None
     if reach is None:
         end = draft.draw(lay_off, "N_{2}", base, line.length, why=why.STATION)
@@ -143,12 +161,7 @@ def draw_sliding(
 
 def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:
     """Calculate both slidings at places, lay them off over the base."""
-    (z1, z2) = ground.teeth
-    rest = ground.rest(draft, f"N_{{2}}{letter}", x)
-    sliding = (
-        draft.draw(specific_sliding, f"ϑ_{{1{letter}}}", z1, z2, rest, x),
-        draft.draw(specific_sliding, f"ϑ_{{2{letter}}}", z2, z1, x, rest),
-    )
+    sliding = ground.slidings(draft, letter, x, ground.rest(draft, f"N_{{2}}{letter}", x))
     feet = draft.draw(lay_off, letter, ground.base, x, free=True, why=why.STATION)
     lines = draft.draw(square, f"({letter})", feet, ground.base, sense=1, why=why.SLIDING_AT)
     points = []
@@ -157,7 +170,7 @@ def _stations(draft: Draft, ground: _Ground, x: Mark, letter: str) -> Stations:
         points.append(
             draft.draw(lay_off, f"{letter}_{{{k + 1}}}", lines, height, why=why.SLIDING_AT)
         )
-    return Stations(x, sliding, feet, (points[0], points[1]))
+    return Stations(x, (sliding[0], sliding[1]), feet, (points[0], points[1]))
 
 
 def _branch(draft: Draft, ground: _Ground, k: int, shares: Reals) -> Branch:
@@ -167,11 +180,15 @@ def _branch(draft: Draft, ground: _Ground, k: int, shares: Reals) -> Branch:
     own_part = ground.reach or ground.length
     near = draft.draw(part_of, f"N_{1 if ground.reach else i}i", share, own_part)
     far = ground.rest(draft, f"N_{2 if ground.reach else 2 - k}i", near)
-    if ground.reach and k:
-        near, far = far, near
-    x = far if k else near
-    own, other = ground.teeth[k], ground.teeth[1 - k]
-    sliding = draft.draw(specific_sliding, f"ϑ_{i}", own, other, far, near)
+    if far is None:
+        x, way = near, (ground.length, near)
+        sliding = draft.draw(sliding_on_rack, f"ϑ_{i}", *(way[::-1] if k else way))
+    else:
+        if ground.reach and k:
+            near, far = far, near
+        x = far if k else near
+        own, other = ground.teeth[k], ground.teeth[1 - k]
+        sliding = draft.draw(specific_sliding, f"ϑ_{i}", own, other, far, near)
     feet = draft.draw(lay_off, f"i_{{{i}}}", ground.base, x, why=why.STATION)
     lines = draft.draw(square, f"(i_{i})", feet, ground.base, sense=1, why=why.SLIDING_AT)
     height = draft.draw(to_board, f"[ϑ_{i}]", sliding)
@@ -192,7 +209,13 @@ def _floor(draft: Draft, line: ActionLine, mu: Mark, slidings: list[Mark]) -> fl
 def _both_shares(
     sizes: GearSizes, floor: float, value: Callable[[Mark], float]
 ) -> tuple[Reals, Reals]:
-    """Return the shares at which the curves of both wheels are drawn; of a ring those of N1b from N1."""
+    """Return the shares at which the curves of both wheels are drawn, of N1N2; of a ring or rack of N1b."""
+    if sizes.rack is not None:
+        wheel = sizes.wheels[0]
+        pole = value(wheel.r) * math.sin(math.radians(value(sizes.alpha)))
+        reach = math.sqrt(value(wheel.top) ** 2 - value(wheel.r_b) ** 2)
+        least = pole / reach / (1.0 + floor)
+        return least ** np.linspace(1.0, 0.0, STATIONS), np.linspace(0.0, 1.0, STATIONS)
     z1, z2 = sizes.order.teeth
     if sizes.ring is None:
         return _shares(z1 / z2, floor), _shares(z2 / z1, floor)

@@ -11,8 +11,9 @@ import numpy as np
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Reals
-from graphic_tmm.chapters.gears.dimensions import VIEW
-from graphic_tmm.chapters.gears.plan import GEARS_PLAN
+from graphic_tmm.chapters.gears.contact import Engagement
+from graphic_tmm.chapters.gears.dimensions import VIEW, GearSizes
+from graphic_tmm.chapters.gears.plan import GEARS_PLAN, Gear
 from graphic_tmm.chapters.gears.record import BESIDE
 from graphic_tmm.chapters.gears.shifts import letter_of
 from graphic_tmm.drawn import Drawn, Results
@@ -33,13 +34,13 @@ def gear_results(drawn: Drawn) -> Results:
     """
     gear, reading = GEARS_PLAN.on(drawn), drawn.reading
     sizes, contact, beside = gear.sizes, gear.contact, BESIDE.on(drawn)
-    marks: dict[str, Mark] = {
+    found: dict[str, Mark | None] = {
         "gear_ratio": beside.ratio,
         "alpha_w": sizes.alpha_w,
         "a": sizes.a,
-        "a_w": sizes.a_w,
+        "H" if sizes.rack else "a_w": sizes.a_w,
         "y": sizes.y,
-        "delta_y": sizes.dy,
+        "delta_y": sizes.y and sizes.dy,
         "h": sizes.h,
         "h_w": sizes.h_w,
         "p": sizes.p,
@@ -49,6 +50,7 @@ def gear_results(drawn: Drawn) -> Results:
         "contact_ratio_drawn": contact.drawn,
         "contact_ratio_difference": contact.difference,
     }
+    marks = {name: mark for name, mark in found.items() if mark}
     for wheel, engaged in zip(sizes.wheels, contact.wheels, strict=True):
         own = {
             "r": wheel.r,
@@ -80,6 +82,10 @@ def _further(drawn: Drawn) -> dict[str, Mark]:
         found |= {"assembly_gap": ring.assembly}
         if ring.uncut is not None:
             found["contact_ratio_uncut"] = ring.uncut
+    if sizes.rack is not None and gear.rack is not None:
+        rack = sizes.rack
+        found |= {"x1": sizes.wheels[0].x, "travel": rack.travel, "s2": rack.s, "s_a2": rack.s_a}
+        found |= {"h_a2": rack.h_a, "h_f2": rack.h_f, "arc_of_engagement2": gear.rack.engaged.real}
     if (motion := beside.motion) is not None:
         for k, (omega, turns) in enumerate(zip(motion.omega, motion.turns, strict=True), 1):
             found |= {f"omega{k}": omega, f"n{k}": turns}
@@ -127,16 +133,16 @@ def _moving(drawn: Drawn) -> Callable[[Station], Station]:
 
 def _places(drawn: Drawn) -> Iterator[Station]:
     gear, beside, reading = GEARS_PLAN.on(drawn), BESIDE.on(drawn), drawn.reading
-    sliding, (at_first, at_second) = gear.sliding, beside.limits
+    sliding = gear.sliding
 
     def falls(end: Reals) -> Reals:
         return np.full_like(end, -np.inf)
 
-    first, second = reading[at_first][:, 0], reading[at_second][:, 0]
-    at_limits = (
-        Station("N_{1}", reading[beside.start][:, 0], (falls(first), first)),
-        Station("N_{2}", reading[gear.line.length][:, 0], (second, falls(second))),
-    )
+    first, *others = (reading[mark][:, 0] for mark in beside.limits)
+    at_limits = [Station("N_{1}", reading[beside.start][:, 0], (falls(first), first))]
+    for second in others:
+        x = reading[gear.line.length][:, 0]
+        at_limits.append(Station("N_{2}", x, (second, falls(second))))
     yield from at_limits[: 1 if gear.sizes.ring else 2]
     for name, end in zip("ab", gear.line.ends, strict=True):
         if end in gear.line.limits:
@@ -171,8 +177,7 @@ def dimension_table(drawn: Drawn, language: str, title: str, heights: Heights) -
         return [symbol, *real, *gap, _unit(own, language), *laid, *gap]
 
     rows = [row(symbol, *marks) for symbol, _, marks in wheel_sizes(drawn)]
-    one, other = made.contact.wheels
-    rows.append(row("cd", one.real, other.real))
+    rows.append(row("cd", *(one.real for one in _engaged(made))))
     rows += [row(symbol, mark) for symbol, _, mark in pair_sizes(drawn)]
     _ = speaking(language)
     laid = [_("{wheel}, drawn,\nmm", wheel=k) for k in (1, 2)]
@@ -201,7 +206,8 @@ def wheel_sizes(drawn: Drawn) -> Iterator[tuple[str, str, list[Mark]]]:
     """Yield what the table tells of the wheels: the symbol, the name that machines read, the marks."""
     sizes, helical = GEARS_PLAN.on(drawn).sizes, BESIDE.on(drawn).helical
     for symbol, key in WHEEL:
-        marks = [mark for wheel in sizes.wheels if (mark := getattr(wheel, key))]
+        bodies = (*sizes.wheels, *([sizes.rack] if sizes.rack else []))
+        marks = [mark for body in bodies if (mark := getattr(body, key, None))]
         yield letter_of(sizes.order, symbol), key, marks
         if key == "x" and sizes.helix is not None:
             yield "x_{t}", "x_t", [wheel.x_drawn for wheel in sizes.wheels]
@@ -212,15 +218,15 @@ def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
     """Return what the table tells of the pair: the symbol, the name that machines read, the mark."""
     made, beside = GEARS_PLAN.on(drawn), BESIDE.on(drawn)
     sizes, helix, helical = made.sizes, made.sizes.helix, beside.helical
-    found = [("u_{12}", "gear_ratio", beside.ratio), ("m", "m", sizes.m)]
+    found = [("u_{12}", "gear_ratio", beside.ratio)] if beside.ratio else []
+    found.append(("m", "m", sizes.m))
     if helix is not None:
         found += [("β", "beta", helix.beta), ("m_{t}", "m_t", helix.m)]
         found.append(("α_{t}", "alpha_t", helix.alpha))
     if sizes.x_sum is not None:
         found.append(("x_{Σ}", "x_sum", sizes.x_sum))
     found += [
-        ("α_{w}", "alpha_w", sizes.alpha_w), ("a_{w}", "a_w", sizes.a_w), ("y", "y", sizes.y),
-        ("Δy", "delta_y", sizes.dy), ("h", "h", sizes.h), ("h_{w}", "h_w", sizes.h_w),
+        *_distances(sizes), ("h", "h", sizes.h), ("h_{w}", "h_w", sizes.h_w),
         ("p", "p", sizes.p), ("p_{b}", "p_b", sizes.p_b),
         ("s_{cd}", "arc_of_engagement", beside.arc),
         ("ε_{α}", "contact_ratio", sizes.contact_ratio),
@@ -229,11 +235,26 @@ def pair_sizes(drawn: Drawn) -> tuple[tuple[str, str, Mark], ...]:
         found.append(("ε_{β}", "overlap_ratio", helical["overlap_ratio"]))
         found.append(("ε_{γ}", "total_ratio", helical["total_ratio"]))
     if (motion := beside.motion) is not None:
-        found += [("n_{1}", "n1", motion.turns[0]), ("n_{2}", "n2", motion.turns[1])]
+        found += [(f"n_{{{k}}}", f"n{k}", turns) for k, turns in enumerate(motion.turns, 1)]
         found.append(("v", "v_rolling", motion.rolling))
     base = letter_of(sizes.order, "p_{b}")
     found.append((f"{working(drawn)}/{base}", "contact_ratio_drawn", made.contact.drawn))
     return tuple((letter_of(sizes.order, symbol), key, mark) for symbol, key, mark in found)
+
+
+def _distances(sizes: GearSizes) -> list[tuple[str, str, Mark]]:
+    """Return the angle of mesh and the distances; of a rack how far its teeth reach, its travel in a turn."""
+    angle = ("α_{w}", "alpha_w", sizes.alpha_w)
+    if (rack := sizes.rack) is not None:
+        far = [("H", "H", sizes.a_w), ("h_{a2}", "h_a2", rack.h_a), ("h_{f2}", "h_f2", rack.h_f)]
+        return [angle, *far, ("L", "travel", rack.travel)]
+    apart = (("a_{w}", "a_w", sizes.a_w), ("y", "y", sizes.y), ("Δy", "delta_y", sizes.dy))
+    return [angle, *((symbol, key, mark) for symbol, key, mark in apart if mark)]
+
+
+def _engaged(made: Gear) -> tuple[Engagement, ...]:
+    """Return the arcs of engagement of both wheels, or of wheel and rack."""
+    return (*made.contact.wheels, *([made.rack.engaged] if made.rack else []))
 
 
 def working(drawn: Drawn) -> str:
@@ -313,7 +334,7 @@ def _dimensions(drawn: Drawn) -> Iterator[Column]:
 
     for symbol, key, marks in wheel_sizes(drawn):
         yield column(symbol, key, ("1", "2")[: len(marks)], *marks)
-    arcs = (one.real for one in made.contact.wheels)
+    arcs = (one.real for one in _engaged(made))
     yield column("cd", "arc_of_engagement_drawn", ("1", "2"), *arcs)
     for symbol, key, mark in pair_sizes(drawn):
         # a word of the catalogue, as results are called

@@ -1,4 +1,4 @@
-"""What is asked of a gear pair: two wheels, spur or helical, or one in a ring (SI; drawn lengths in mm)."""
+"""What is asked of a gear pair: two wheels, spur or helical, one in a ring or on a rack (SI; drawn mm)."""
 
 from __future__ import annotations
 
@@ -29,16 +29,24 @@ def _stations(value: object, names: Names) -> tuple[float, ...]:
 
 _COUNT, RING = Bound(5, 2000, whole=True), Bound(-2000, -6, whole=True)
 """With fewer teeth no flank is left between the root and the tip that could drive."""
+RACK = "rack"
+"""What stands for the teeth of wheel 2 where it drives a rack."""
 _TEETH = v.number(_COUNT)
 
 
-def _second(value: object, names: Names) -> int:
+def _second(value: object, names: Names) -> int | str:
+    if value == RACK:
+        return RACK
     if RING.holds(value):
         return int(value)  # type: ignore[call-overload,no-any-return]
     return int(_TEETH.read(value, names))
 
 
-_SECOND = Kind(_second, {"anyOf": [_COUNT.schema, RING.schema]}, _COUNT)
+_SECOND = Kind(
+    _second,
+    {"anyOf": [_COUNT.schema, RING.schema, {"type": "string", "const": RACK}]},
+    _COUNT,
+)
 LARGEST_SHIFT = 5.0
 """Shifts that are given lie between minus and plus so much."""
 _SHIFT = v.number(Bound(-LARGEST_SHIFT, LARGEST_SHIFT))
@@ -72,7 +80,9 @@ class GearTask:
 
     Its module is ``m`` (m), the shift coefficients are ``x1``, ``x2``: 0 where they are left out, but what
     ``distance`` (that of the axes, m) or ``x_sum`` leaves. Wheel 1 drives. ``z2`` is negative for a ring about
-    wheel 1; the sum of its shifts is x2 − x1. ``alpha`` (degrees), ``ha`` and ``c`` are those of the basic
+    wheel 1; the sum of its shifts is x2 − x1. It is ``"rack"`` for a rack, which has no shift of its own:
+    ``distance`` then is that of its datum line from the axis.
+    ``alpha`` (degrees), ``ha`` and ``c`` are those of the basic
     rack; of two ``ha`` each is a wheel's own addendum, which its mate has room for; a ring with the shorter
     one leaves its wheel as it is. ``beta``: the helix angle
     (degrees); m, alpha, ha, c and the shifts then are those of the normal section. ``width``: of the rims (m).
@@ -86,7 +96,7 @@ class GearTask:
     """
 
     z1: int = key(_TEETH, "teeth of the driving wheel", 15)
-    z2: int = key(_SECOND, "teeth of the driven wheel, of a ring with a minus", 25)
+    z2: int | str = key(_SECOND, 'teeth of the driven wheel, of a ring with a minus, or "rack"', 25)
     m: float = key(v.POSITIVE_LENGTH, "the module", "8 mm")
     x1: float | None = key(_SHIFT, "shift coefficient of wheel 1", 0.83, None)
     x2: float | None = key(_SHIFT, "shift coefficient of wheel 2", 0.445, None)
@@ -133,14 +143,19 @@ class GearTask:
         return self.ha if isinstance(self.ha, tuple) else (self.ha, self.ha)
 
     @property
-    def teeth(self) -> tuple[int, int]:
-        """How many teeth both wheels have."""
-        return self.z1, abs(self.z2)
+    def teeth(self) -> tuple[int, ...]:
+        """How many teeth both wheels have; of a rack only those of wheel 1."""
+        return (self.z1,) if isinstance(self.z2, str) else (self.z1, abs(self.z2))
 
     @property
     def internal(self) -> bool:
         """Whether wheel 2 is a ring about wheel 1."""
-        return self.z2 < 0
+        return not isinstance(self.z2, str) and self.z2 < 0
+
+    @property
+    def racked(self) -> bool:
+        """Whether wheel 1 drives a rack."""
+        return self.z2 == RACK
 
 
 ASKED: SectionKey[GearTask] = SectionKey("gears")

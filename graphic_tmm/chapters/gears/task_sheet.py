@@ -24,13 +24,13 @@ def given(scene: Scene) -> Iterator[Given]:
 
 
 def stated(scene: Scene, language: str) -> Iterator[str]:
-    """Tell the kind of meshing: of a ring, helical, by the shifts of both wheels."""
+    """Tell the kind of meshing: of a ring or rack, helical, by the shifts of both wheels."""
     order = ASKED.of(scene)
     if order is None:
         return
     _ = speaking(language)
-    if order.internal:
-        yield _(_RING)
+    if order.internal or order.racked:
+        yield _(_RING if order.internal else _RACK)
     if order.beta:
         yield _(_HELICAL)
     if order.distance is not None or order.x_sum is not None:
@@ -40,7 +40,7 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
     both = x1 + x2
     if x1 == x2 == 0.0:
         kind = _NONE
-    elif order.internal:
+    elif order.internal or order.racked:
         return
     else:
         kind = _EQUAL if abs(both) < ROUNDING else _POSITIVE if both > 0.0 else _NEGATIVE
@@ -50,6 +50,7 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
 ROUNDING = 1e-9
 """Shifts that together are less than this are opposite."""
 _RING = said("Wheel 1 runs inside a ring.")
+_RACK = said("Wheel 1 drives a rack.")
 _HELICAL = said("The teeth are helical; module, angle and shifts are given across them.")
 _WANTED = said("The shift that is not given is to be found.")
 _NONE = said("The gears are cut without shift.")

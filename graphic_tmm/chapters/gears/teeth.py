@@ -47,7 +47,7 @@ class Rows:
     """The rows of a gear pair along the one axis of positions: its length, both flanks, points of a fillet."""
 
     axis: int
-    flanks: tuple[Roll, Roll]
+    flanks: tuple[Roll, ...]
     fillet: int
 
     def row(self, values: object) -> Reals:
@@ -58,8 +58,7 @@ class Rows:
 
 def choose_rows(sizes: GearSizes, value: Callable[[Mark], float]) -> Rows:
     """Choose how the flanks are rolled; ``value``: of a calculated mark."""
-    steps, one, other = sizes.order.steps, *sizes.wheels
-    flanks = (_roll(one, sizes, value), _roll(other, sizes, value))
+    steps, flanks = sizes.order.steps, tuple(_roll(one, sizes, value) for one in sizes.wheels)
     counts = (*(flank.count for flank in flanks), steps + 1, STATIONS, len(sizes.order.stations))
     return Rows(max(counts), flanks, steps + 1)
 

@@ -13,14 +13,18 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Between, Turn, Turning, TurnQuantity
 
+WAY = Mark(-4, "s_2", Number, GEARS, unit="m")
+"""How far the rack has run: no step draws it."""
 ANGLES = tuple(Mark(-1 - k, f"φ_{k}", Number, GEARS) for k in (1, 2))
 """How far the wheels have turned, degrees: no step draws it."""
 
 
 def quantities(project: Project) -> Iterator[TurnQuantity]:
     """Yield the angles of both wheels, and their speeds, where that of wheel 1 is given (rpm, without sign)."""
-    motion = BESIDE.on(project).motion
-    for k, mark in enumerate(ANGLES, 1):
+    motion, gear = BESIDE.on(project).motion, GEARS_PLAN.on(project)
+    if gear.rack is not None:
+        yield TurnQuantity(GEARS, "columns", "s2", WAY)
+    for k, mark in enumerate(ANGLES[: len(gear.wheels)], 1):
         yield TurnQuantity(GEARS, "columns", f"phi{k}", mark)
         if motion is not None:
             yield TurnQuantity(GEARS, "columns", f"n{k}", motion.turns[k - 1])
@@ -29,8 +33,12 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
 def between(drawn: Drawn, turn: Turn) -> Between:
     """Return the angles: by the ratio, against each other where both wheels have their teeth outside."""
     assert turn.angles is not None
-    sense = 1.0 if GEARS_PLAN.on(drawn).order.internal else -1.0
-    ratio = drawn.numbers.drawn[BESIDE.on(drawn).ratio]
+    gear, ratio_ = GEARS_PLAN.on(drawn), BESIDE.on(drawn).ratio
+    if gear.sizes.rack is not None:
+        far = turn.angles / 360.0 * drawn.numbers.drawn[gear.sizes.rack.travel]
+        return {ANGLES[0]: turn.angles, WAY: far}
+    assert ratio_ is not None
+    sense, ratio = 1.0 if gear.order.internal else -1.0, drawn.numbers.drawn[ratio_]
     return dict(zip(ANGLES, (turn.angles, sense * turn.angles / ratio), strict=True))
 
 

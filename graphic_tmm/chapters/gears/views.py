@@ -55,7 +55,8 @@ def gear_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         with_caption(draw_gear_ink(mesh, made), mesh, lettered, told),
         with_caption(draw_sliding_ink(sliding, made), sliding, lettered, mu_theta),
     ]
-    for k, name in enumerate((f"{ROLLING}-1", f"{ROLLING}-2")):
+    for k in range(len(made.wheels)):
+        name = f"{ROLLING}-{k + 1}"
         on = subject(drawn, words[name], "gears", name=name)
         found.append(with_caption(draw_rolling_ink(on, made, k), on, lettered, mu_l))
     if made.order.chart:

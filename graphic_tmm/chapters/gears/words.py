@@ -30,6 +30,7 @@ CAPTIONS: dict[str, str] = {
     "total_ratio": "ε_{γ}",
     "alpha_t": "α_{t}",
     "x_sum": "x_{Σ}",
+    "travel": "L",
     "r_a2_least": "r_{l2}",
     "tip_overlap": "δ_{θ}",
     "assembly_gap": "δ_{ψ}",
@@ -80,6 +81,17 @@ LEAVES = said(
 )
 ROOT = said("The flank of a ring ends outward on its root circle.")
 APEX = said("A pointed tooth ends where its flanks meet, below the tip circle.")
+RACK_LINE = said(
+    "The lines of the rack stand square to that of centres; one touches the pitch circle in P."
+)
+RACK_TIP = said("A pair begins to touch where the line of the rack's tips cuts the line of action.")
+RACK_FLANK = said(
+    "The involute of a wheel of infinite radius: a straight line, square to the line of action."
+)
+RACK_TOOTH = said("The teeth of the rack are alike: the next one stands a pitch farther along it.")
+RACK_ROOT = said("The rounding at the root is that of the basic rack.")
+RACK_TURNED = said("So the flank stands where contact begins, and where it ends.")
+RACK_WORKING = said("On the flank contact goes from the height of one end to that of the other.")
 MESH_ANGLE = said(
     "The line of action leans by the angle of mesh; read off, it checks the calculated one."
 )
