@@ -253,8 +253,8 @@ def _refuse_law(keys: tuple[str, str], law: Law, base: float) -> None:
         if law.points and law.name != BY_TABLE:
             raise TaskError("cam", keys[0], said('points belong to the law "diagram" only'))
         return
-    if says := _fault_of(law, base):
-        raise TaskError("cam", keys[1], says)
+    if fault := _fault_of(law, base):
+        raise TaskError("cam", keys[1], fault)
 
 
 def _fault_of_table(order: CamTask, motion: Stage) -> str:

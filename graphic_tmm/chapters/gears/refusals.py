@@ -69,6 +69,9 @@ def _refuse_rack(order: GearTask) -> None:
         if value is not None:
             says = said("a rack has none: leave it out; x1 or the distance shifts its wheel")
             raise TaskError("gears", key, says)
+    if order.chart:
+        says = said("a wheel on a rack has one shift and no chart of two: leave it out")
+        raise TaskError("gears", "chart", says)
     if order.distance is not None and order.x1 is not None:
         says = said("x1 is given, too: leave one of the two out, the distance gives the shift")
         raise TaskError("gears", "distance", says)

@@ -11,10 +11,12 @@ import pytest
 import shapely
 from support.boards import in_usual_size
 
+from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.chapters.gears.contact import record_checks, verdicts
 from graphic_tmm.chapters.gears.dimensions import calculate_sizes
+from graphic_tmm.chapters.gears.refusals import refuse_order
 from graphic_tmm.chapters.gears.shift_chart import ADVISED, Chart, chart_of
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.views import gear_views
@@ -166,3 +168,10 @@ def test_teeth_without_any_shifts_are_told(tmp_path: Path) -> None:
     drawn = drawn_of(tmp_path, 8, 9, "chart = true")
     assert any("no shifts give" in one for one in warnings(drawn, "en"))
     assert "gear-shifts" not in {view.name for view in gear_views(drawn, True)}
+
+
+def test_a_wheel_on_a_rack_has_none() -> None:
+    order = GearTask(17, "rack", 0.005, x1=0.3, chart=True)
+    with pytest.raises(TaskError, match="one shift") as caught:
+        refuse_order(order)
+    assert caught.value.keys == ("gears.chart",)
