@@ -186,8 +186,10 @@ class CamFinding(NamedTuple):
     least: float
 
     def says(self, language: str) -> str:
-        """Return the finding as a sentence of a language."""
-        return speaking(language)(_WORDS[self.kind], **self._asdict())
+        """Return the finding as a sentence of a language: the least radius rounded up, and more than r0."""
+        digit = 10.0 ** (np.floor(np.log10(self.r0)) - 3.0)
+        least = max(np.ceil(self.least / digit - RULER), np.round(self.r0 / digit) + 1.0) * digit
+        return speaking(language)(_WORDS[self.kind], **{**self._asdict(), "least": float(least)})
 
 
 def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
@@ -284,11 +286,15 @@ def _pressure(
             if gone:
                 place = turn.angles[gone[len(gone) // 2]]
                 found.append(CamFinding("no centre", place, float("nan"), limit, *sizes))
-    kind = "pressure" if sizes[0] < sizes[1] or cam.order.developed else "path"
+    r0, least = sizes
+    kind = "pressure" if r0 < least or cam.order.developed else "path"
     for extreme, limit, sign in zip(cam.pressure.extremes, limits, (1, -1), strict=True):
         if sign * one(extreme.value) > limit + PROTRACTOR:
-            place = one(extreme.angle)
-            found.append(CamFinding(kind, place, abs(one(extreme.value)), limit, *sizes))
+            place, angle = one(extreme.angle), abs(one(extreme.value))
+            if cam.order.developed and least <= r0:
+                # it was read too small: the steeper the path the smaller the drum
+                least = float(r0 * np.tan(np.radians(angle)) / np.tan(np.radians(limit)))
+            found.append(CamFinding(kind, place, angle, limit, r0, least))
     return tuple(found)
 
 

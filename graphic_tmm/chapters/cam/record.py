@@ -122,7 +122,7 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
         return found
     radius = cam.roller.radius
     for name, letter, limit_of in (
-        ("r0", "Δr_{r}", cam.roller.by_r0),
+        ("drum_radius" if order.developed else "r0", "Δr_{r}", cam.roller.by_r0),
         ("profile", "Δr_{ρ}", cam.roller.by_curvature),
     ):
         found[f"left_roller_{name}"] = draft.draw(f.limit_left, letter, limit_of, radius, unit="m")

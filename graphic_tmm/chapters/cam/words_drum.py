@@ -10,6 +10,7 @@ CAPTIONS: dict[str, str] = {
     "drum_radius_min": "R_{min}",
     "drum_radius": said("R of the drum"),
     "roller_by_drum_radius": said("[r] by R"),
+    "left_roller_drum_radius": said("[r] by R − r"),
 }
 
 RADIUS = said("The least mean radius of the drum is {drum_radius_min}; {drum_radius} is taken.")
@@ -19,7 +20,7 @@ CURVATURE = said(
 )
 ALL = said(
     "All conditions of the drum hold: below the allowed pressure angle {left_rise} are left on the rise "
-    "and {left_return} on the return, below the largest radius of the roller {left_roller_r0} by the "
+    "and {left_return} on the return, below the largest radius of the roller {left_roller_drum_radius} by the "
     "drum's radius and {left_roller_profile} by the path."
 )
 FINDINGS = {

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+import re
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -17,7 +18,7 @@ from support.scenes import written
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.values import Curve
-from graphic_tmm.chapters.cam.findings import cam_findings
+from graphic_tmm.chapters.cam.findings import CamFinding, cam_findings
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
 from graphic_tmm.chapters.cam.ink_centre import CentreNames, draw_centre_ink
 from graphic_tmm.chapters.cam.ink_drum import (
@@ -27,6 +28,7 @@ from graphic_tmm.chapters.cam.ink_drum import (
 )
 from graphic_tmm.chapters.cam.ink_rules import TRACELESS
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.profile import Contour
 from graphic_tmm.chapters.cam.task import CamTask, Law, RockerFollower
 from graphic_tmm.chapters.cam.task_motion import Stage
@@ -36,6 +38,7 @@ from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.scene.read import read
+from graphic_tmm.studio import make
 
 THIN = 2.5e-4
 """A thin line on a drawing in full size, m: what differs by less is the same on paper."""
@@ -316,3 +319,26 @@ def test_numbers_of_a_development_stand_at_their_own_ordinates(parts: int) -> No
         off = np.maximum(left - feet[places], feet[places] - right)
         assert places[int(np.argmin(off))] == one.position
     assert len({round(one.at.imag, 6) for one in numbers}) == 1
+
+
+@pytest.mark.parametrize("stroke", [34, 20, 27.3])
+def test_the_radius_to_take_is_larger_than_one_that_is_too_small(
+    tmp_path: Path, stroke: float
+) -> None:
+    """On an A4 the least radius reads less than it is: 56 mm were too small, and 56 to be taken."""
+    text = (
+        f'title = "T"\nlanguage = "en"\n[cam]\nform = "drum"\nstroke = "{stroke} mm"\nrise = 120\n'
+    )
+    text += 'upper_dwell = 30\nfall = 120\n{more}\n[[sheet]]\nformat = "A4"\nplace = ["cam"]\n'
+
+    def said(more: str) -> list[CamFinding]:
+        (board,) = make(read(written(tmp_path, text.replace("{more}", more)))).boards
+        found = cam_findings(board.reading, CAM_PLAN.on(board))
+        return [one for one in found if one.kind == "drum pressure"]
+
+    first = said("" if stroke == 34 else 'radius = "30.004 mm"')
+    sizes = re.search(r"radius of ([\d.]+) mm is too small, take ([\d.]+) mm", first[0].says("en"))
+    assert sizes is not None
+    assert float(sizes[2]) > float(sizes[1])
+    assert float(sizes[2]) >= first[0].least
+    assert said(f'radius = "{sizes[2]} mm"') == []
