@@ -95,6 +95,8 @@ class Cam:
         return self.centre.least
 
 
+MM = 1000.0
+"""Millimetres in a metre."""
 CAM_PLAN: Recorded[Cam] = Recorded(CAM)
 
 
@@ -188,9 +190,9 @@ def _refuse_triangle(order: CamTask) -> None:
     if isinstance(follower, FlatRockerFollower):
         if (r0 or follower.least) + follower.face >= follower.centres:
             says = said(
-                "r0 and the distance of the face are not less than the centres, {centres:g} m apart: the "
+                "r0 and the distance of the face are not less than the centres, {centres:g} mm apart: the "
                 "lever's pivot would stand in the cam; increase centres",
-                centres=follower.centres,
+                centres=MM * follower.centres,
             )
             raise StructureError(says, "cam.centres", "cam.r0", "cam.face", head="cam")
         return
@@ -201,13 +203,13 @@ def _refuse_triangle(order: CamTask) -> None:
         if not least < r0 < most:
             raise StructureError(
                 said(
-                    "with a lever of {lever:g} m and centres {centres:g} m apart r0 lies between "
-                    "{least:.4g} and {most:.4g} m, not at {r0:g} m",
-                    lever=follower.lever,
-                    centres=follower.centres,
-                    least=least,
-                    most=most,
-                    r0=r0,
+                    "with a lever of {lever:g} mm and centres {centres:g} mm apart r0 lies between "
+                    "{least:.4g} and {most:.4g} mm, not at {r0:g} mm",
+                    lever=MM * follower.lever,
+                    centres=MM * follower.centres,
+                    least=MM * least,
+                    most=MM * most,
+                    r0=MM * r0,
                 ),
                 "cam.r0",
                 "cam.lever",
@@ -217,9 +219,9 @@ def _refuse_triangle(order: CamTask) -> None:
     elif not isinstance(follower, FlatFollower) and abs(follower.offset) >= r0:
         raise StructureError(
             said(
-                "the offset {offset:g} m is not less than r0 = {r0:g} m: take a smaller one",
-                offset=follower.offset,
-                r0=r0,
+                "the offset {offset:g} mm is not less than r0 = {r0:g} mm: take a smaller one",
+                offset=MM * follower.offset,
+                r0=MM * r0,
             ),
             "cam.offset",
             "cam.r0",

@@ -249,10 +249,10 @@ NONSENSE = [
     ({"return_law": Law("diagram", ((0, 0.0), (1, 0.0)))}, "areas"),
     ({"rise_law": Law("diagram", ((0, 1), (0.511, 1), (0.511, -1.12), (1, -1.12)))}, "areas"),
     ({"rise_law": Law("diagram", ((0, 1), (1, 1)))}, "areas"),
-    ({"follower": RollerFollower(0.06), "r0": 0.05}, "offset"),
+    ({"follower": RollerFollower(0.06), "r0": 0.05}, "offset 60 mm is not less than r0 = 50 mm"),
     ({"follower": RockerFollower(-0.08, 0.1)}, "lever"),
     ({"follower": RockerFollower(0.08, 0.1), "stroke": 3.5}, "turns over"),
-    ({"follower": RockerFollower(0.08, 0.1), "stroke": 0.3, "r0": 0.2}, "between"),
+    ({"follower": RockerFollower(0.08, 0.1), "stroke": 0.3, "r0": 0.2}, "between 20 and 180 mm"),
     ({"follower": FlatFollower(-0.01)}, "least_curvature = -0.01: .* not less than 0"),
 ]
 
