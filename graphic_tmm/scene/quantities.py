@@ -25,6 +25,8 @@ LARGEST, SMALLEST = 1e12, 1e-15
 NOISE = 1e-12
 """A length (m) or an angle (degrees) below this is what a program's rounding leaves of 0: points nearer than
 1e-9 m are one, and sums of floats as large as 360 differ by some 1e-13."""
+DECIMALS = 9
+"""So many decimals of a figure count: what computers add behind them nobody has measured."""
 _EXACT = Context(prec=60)
 _QUANTITY = re.compile(rf"([+-]?{NUMBER})(.*)", re.DOTALL)
 _THOUSANDS = re.compile(r"[+-]?[1-9][0-9]{0,2},[0-9]{3}(?![0-9])")
@@ -300,7 +302,7 @@ def last_digit(value: str | float) -> str | float:
     """Return one of the last digit of a quantity as it is written: of "0.80 mm" 0.01 mm."""
     match = _QUANTITY.fullmatch(spoken(value)) if isinstance(value, str) else None
     number = match[1].replace(",", ".") if match else str(value)
-    one = f"1e{Decimal(number).as_tuple().exponent}"
+    one = f"1e{max(int(Decimal(number).as_tuple().exponent), -DECIMALS)}"
     return f"{one} {match[2]}" if match else float(one)
 
 

@@ -28,6 +28,7 @@ from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.record import VIEW as CALCULATED
 from graphic_tmm.chapters.cam.spring import INERTIA
 from graphic_tmm.chapters.cam.spring import VIEW as SPRING
+from graphic_tmm.chapters.cam.task_motion import BY_TABLE
 from graphic_tmm.chapters.cam.turn import CONTACT, CURVATURE
 from graphic_tmm.chapters.cam.views import cam_views, scheme_views
 from graphic_tmm.language.numbers import number
@@ -105,10 +106,13 @@ class CamPage(Page[Cam]):
         yield self.says(words.RADIANS)
         yield from self.formulas(VIEWS["S"], f.radians_of)
         yield from self.formulas(CALCULATED, f.radians_of)
-        laws = [phase.law for phase in diagrams.turn.phases]
+        phases = diagrams.turn.phases
+        laws = [phase.law for phase in phases]
         names = (one.name if one.split == 0.5 else "unequal shares" for one in laws)
         for name in dict.fromkeys(names):
             yield self.says(words.LAWS[name])
+        if any(one.law.name == BY_TABLE and one.law != one.motion.law for one in phases):
+            yield self.says(words.SPLINE)
         for integral in diagrams.integrals:
             for which in ("A", "V", "S"):
                 at = integral.phase.first + max(1, integral.phase.parts // 4)

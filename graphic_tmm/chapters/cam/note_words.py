@@ -134,6 +134,10 @@ PRESSURE_KEPT = said(
     "The pressure angle reaches {pressure_rise} on the rise and {pressure_return} on the return; allowed are "
     "{allowed} and {behind}."
 )
+SPLINE = said(
+    "The lines of the table stand at uneven angles: a spline through them, level where the follower is at "
+    "rest, is read at as many even ones."
+)
 ALL = said(
     "All conditions of the cam hold: below the allowed pressure angle {left_rise} are left on the rise and "
     "{left_return} on the return, below the largest radius of the roller {left_roller_r0} by r0 and "

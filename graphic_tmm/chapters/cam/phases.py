@@ -33,6 +33,7 @@ from graphic_tmm.chapters.cam.task_motion import (
     drawn_laws,
     levels,
 )
+from graphic_tmm.chapters.cam.uneven import evened
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
@@ -202,7 +203,7 @@ def _division(order: CamTask, motion: Stage) -> _Division:
     """
     assert motion.law is not None
     if motion.law.name == BY_TABLE:
-        return _Division(len(motion.law.points) - 1, [], motion.law)
+        return _Division(len(motion.law.points) - 1, [], evened(motion.law))
     law, extent = replace(motion.law, points=plain(motion.law.points)), motion.angle
     wanted = order.divisions
     if order.per_turn is not None:

@@ -266,16 +266,15 @@ def _fault_of_table(order: CamTask, motion: Stage) -> str:
     shares, heights = ([one[k] for one in points] for k in (0, 1))
     if not steps.holds(len(points) - 1):
         return said(
-            "a table of displacements has {least} to {most} even steps, not {steps}",
+            "a table of displacements has {least} to {most} steps, not {steps}",
             least=int(steps.least), most=int(steps.most), steps=len(points) - 1,
         )  # fmt: skip
     if abs(heights[0]) > EVEN or max(heights) > 1.0 + EVEN or min(heights) < -EVEN:
         return said(
             "the displacements of the table go from 0 to the stroke, or back, and not beyond"
         )
-    even = np.linspace(0.0, 1.0, len(points))
-    if np.abs(np.array(shares) - even).max() > EVEN:
-        return said("the angles of the table go on by even steps: fill in the lines between")
+    if any(after - before <= EVEN for before, after in pairwise(shares)):
+        return said("the angles of the table go up from line to line")
     for told, due in zip(motion.law.size, (motion.angle, motion.stroke or 0.0), strict=False):
         if abs(told - due) > EVEN * due:
             return said(

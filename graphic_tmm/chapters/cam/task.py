@@ -189,7 +189,7 @@ class CamTask:
         ),
         law_table=key(
             TABLE,
-            "the table of the rise, for the law table: angle in the phase, displacement, at even steps",
+            "the table of the rise, for the law table: angle in the phase, displacement",
             EXAMPLE,
             None,
         ),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from itertools import accumulate
+from itertools import accumulate, chain
 from pkgutil import resolve_name
 from typing import Any
 
@@ -26,7 +26,7 @@ UNSAID = (0.0, 0.0)
 BY_DIAGRAM = "diagram"
 """The law that is given by points of its acceleration diagram."""
 BY_TABLE = "table"
-"""The law that is given by a table of displacements at even steps of the phase."""
+"""The law that is given by a table of displacements."""
 BY_POINTS = (BY_DIAGRAM, BY_TABLE)
 """Laws whose diagrams go through points that are known at the positions only."""
 
@@ -64,8 +64,8 @@ class Law:
     ``points`` of the law "diagram": (share of the phase, acceleration), in the order of time, joined by
     straight lines; the acceleration is positive while the follower speeds up, on the return too, in any unit,
     for its scale follows from the stroke. Points with one share make a jump, from the first to the last.
-    ``points`` of the law "table": (share of the phase, share of the stroke) from the lower place, at even
-    steps; ``size``: how long (degrees) and how high (m, or rad) it is as written; ``digit``: one of the last
+    ``points`` of the law "table": (share of the phase, share of the stroke) from the lower place;
+    ``size``: how long (degrees) and how high (m, or rad) it is as written; ``digit``: one of the last
     digit of its figures, a share of the stroke.
     ``shares``: of speeding up and of slowing down, in proportion, of a law of constant acceleration.
     """
@@ -107,8 +107,8 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
     return tuple(found)
 
 
-def _table(value: object, names: Names) -> tuple[tuple[float, float, float], ...]:
-    """Return lines of a table: the angle (degrees), the displacement, one of its last digit (m, or rad)."""
+def _table(value: object, names: Names) -> tuple[tuple[float, ...], ...]:
+    """Return lines of a table: angle (degrees), displacement (m, or rad), one of the last digit of both."""
     if not isinstance(value, list) or not value:
         says = said('write lines of the table, [["0 deg", "0 mm"], ["10 deg", "0.8 mm"], ...]')
         raise ValueError(stands(value, says))
@@ -117,25 +117,32 @@ def _table(value: object, names: Names) -> tuple[tuple[float, float, float], ...
         if not isinstance(item, list) or len(item) != 2:
             says = said('a line is an angle and a displacement, ["10 deg", "0.8 mm"]')
             raise ValueError(fault_in_list(item, says))
-        angle, high = quantities.parse(item[0], "angle"), _stroke(item[1])
-        found.append((angle, high, _stroke(quantities.last_digit(item[1]))))
+        digits = [quantities.last_digit(one) for one in item]
+        rows = ((quantities.parse(a, "angle"), _stroke(high)) for a, high in (item, digits))
+        found.append(tuple(chain.from_iterable(rows)))
     return tuple(found)
 
 
 def law_of(table: Sequence[tuple[float, ...]], *, own: bool = True) -> Law:
     """Return the law that a table gives, from its lower place: of a fall backwards.
 
-    ``table``: lines of an angle, a displacement, one of the last digit that is written of it. ``own``: it is
-    the phase's own; else another phase takes it as long, and as high, as that is itself.
+    ``table``: lines of an angle, a displacement, and one of the last digit of both. ``own``: it is the phase's
+    own; else another phase takes it as long, and as high, as that is itself.
     """
-    lines = [(angle - table[0][0], height) for angle, height, *_ in table]
+    lines = [(one[0] - table[0][0], *one[1:]) for one in table]
     if lines[0][1] > lines[-1][1]:
-        lines = [(lines[-1][0] - angle, height) for angle, height in reversed(lines)]
-    long, high = lines[-1]
+        lines = [(lines[-1][0] - one[0], *one[1:]) for one in reversed(lines)]
+    long, high = lines[-1][:2]
+    digit = min((one for line in lines for one in line[3:]), default=0.0) / (high or 1.0)
+    even = [long * k / (len(lines) - 1 or 1) for k in range(len(lines))]
+    if all(
+        2.0 * abs(line[0] - due) <= sum(line[2:3]) for line, due in zip(lines, even, strict=True)
+    ):
+        # a third of 10° was written 3.33°
+        lines = [(due, *line[1:]) for line, due in zip(lines, even, strict=True)]
     points = tuple(
-        (round(angle / (long or 1.0), 12), height / (high or 1.0)) for angle, height in lines
+        (round(angle / (long or 1.0), 12), height / (high or 1.0)) for angle, height, *_ in lines
     )
-    digit = min((one for line in table for one in line[2:]), default=0.0) / (high or 1.0)
     return Law(BY_TABLE, points, size=(long, high) if own else (), digit=digit)
 
 
@@ -190,7 +197,7 @@ class Stage:
         shares=key(SHARES, "shares of its constant acceleration", [2, 1], None),
         law_table=key(
             TABLE,
-            "or its table: angle in the phase, displacement above its lower place, at even steps",
+            "or its table: angle in the phase, displacement above its lower place",
             EXAMPLE,
             None,
         ),

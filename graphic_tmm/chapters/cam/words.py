@@ -195,6 +195,7 @@ LEVEL = said(
 )
 PHASE_PART = said("The phase is divided into equal parts of the angle.")
 BY_TABLE = said("The ordinate is what the table gives for this line, to scale.")
+BY_SPLINE = said("The ordinate is read off the spline through the lines of the table.")
 DIAGRAM_READ = said("The ordinate of the diagram is what this law gives in this position.")
 ANGLE_AT = said("Over each place on the base stands what belongs to this angle of the cam.")
 EXTREME_READ = said("The extreme is what is judged; where it stands tells the angle of the cam.")

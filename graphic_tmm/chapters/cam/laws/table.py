@@ -1,10 +1,10 @@
-"""A law given by a table of displacements at even steps of the phase: its derivatives by chords of the table.
+"""A law given by a table of displacements: its derivatives by chords of the table.
 
-A position stands at every line of the table. dS/dφ is the slope of the chord between the neighbours of a line,
-d²S/dφ² what the slopes of both chords that meet in it differ by. Where the follower comes to rest dS/dφ is
-zero, and the table goes on beyond its end by the cubic parabola that is level there and goes through the next
-two lines: by chords seen in a mirror the sine law would begin with a shock. A table that begins with a velocity
-goes on with even third differences.
+A position stands at every line; of a table at uneven angles, at as many even ones, see `uneven`. dS/dφ is the
+slope of the chord between the neighbours of a line, d²S/dφ² what the slopes of both chords that meet in it
+differ by. Where the follower comes to rest dS/dφ is zero, and the table goes on beyond its end by the cubic
+parabola that is level there and goes through the next two lines: by chords seen in a mirror the sine law would
+begin with a shock. A table that begins with a velocity goes on with even third differences.
 """
 
 from __future__ import annotations
@@ -23,12 +23,8 @@ from graphic_tmm.chapters.cam import words as why
 from graphic_tmm.chapters.cam.laws import formulas
 from graphic_tmm.chapters.cam.laws.ground import DrawnLaw, Ground, uprights
 from graphic_tmm.chapters.cam.task_motion import BY_TABLE, Law
+from graphic_tmm.chapters.cam.uneven import SHOCK, is_even
 
-SHOCK = 0.1
-"""The velocity with which a table begins, of h/Φ, from which on it does not begin at rest.
-
-Tables of the other laws have 0.011 at most, from 6 steps on; one of even motion has 1.
-"""
 LEAST = 4.0
 """The largest acceleration of a follower that begins and ends at rest is no less, of h/Φ²."""
 STEPS = 6
@@ -158,8 +154,10 @@ def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mar
     else:
         three = (line(1, "i+1"), line(0, "i"), line(-1, "i−1"))
         long = draft.draw(formulas.chord_A, "y", *three, parts, ground.phase, ground.mu)
+    given = ground.of.motion.law
+    reason = why.BY_TABLE if given is None or is_even(given) else why.BY_SPLINE
     over = uprights(draft, ground, up=which != "V" or ground.of.sign > 0)
-    return (draft.draw(lay_off, which.lower(), over, long, free=True, why=why.BY_TABLE),)
+    return (draft.draw(lay_off, which.lower(), over, long, free=True, why=reason),)
 
 
 LAW = DrawnLaw(BY_TABLE, 6, _points, (0.0, 0.0))
