@@ -15,7 +15,13 @@ Bevel wheels are taken by the mean radii of their teeth. The axis of the satelli
 all pitch cones have their tips; between wheels that differ it leans, cos φ = (z₁ − z₃)/(2·z₂). Willis with the
 sign −: (ω₁ − ω_H)/(ω₃ − ω_H) = −z₃/z₁, of satellites of two rims −z₂·z₄/(z₁·z₃). Angular velocities are
 vectors along the axes, ω₂ = ω_H + ω_2H, and the triangle of them gives how the satellites turn (`bevel`). Of
-the conditions only that of assembly is theirs.
+the conditions that of assembly is calculated; cones wider than 90°, satellites that touch and rims that cut
+into wheels are told.
+
+Wheels with fixed axes may close a differential: they join two of its members, ω_q = u·ω_p, so that one shaft
+drives. Willis gives the ratio, with 1 and u for both. In the picture any velocities in that ratio are laid off
+and the satellite drawn through them; what they give the driving point tells how many times all are too large
+(false position, `rates`). The wheels hand on torque, too, and may send power round (`closed_torques`).
 
 Torques: those on the three shafts balance, and the carrier being held the two central wheels have the
 torques of a plain train, M₄ = −M₁·U_14^(H)·η₀^(±1), where + stands if wheel 1 drives in that motion. A train

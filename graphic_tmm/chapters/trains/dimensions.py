@@ -15,6 +15,7 @@ from graphic_tmm.chapters.trains import formulas as t
 from graphic_tmm.chapters.trains import words as why
 from graphic_tmm.chapters.trains.bevel_formulas import draw_mean_radius
 from graphic_tmm.chapters.trains.motion import Motion, motion_of
+from graphic_tmm.chapters.trains.rows import closing_rows, draw_closing, draw_teeth
 from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme, Train
 from graphic_tmm.chapters.trains.tooth_conditions import has_least_ring, in_two_rows, shifted
 from graphic_tmm.language.said import said
@@ -38,7 +39,8 @@ class Dimensions:
 
     ``teeth``, ``radii`` (m): by the wheel; ``tips`` (m): tip diameters of the satellites' rims, by the wheel.
     ``axes``: from the main axis to that of a satellite, of bevel wheels to B of it, m. ``ratio``: driving
-    over driven by Willis, None of a differential.
+    over driven by Willis, None of a differential. ``closing``: how wheels turn that close one, and both members
+    that they join, by the first; ``outside``: their teeth.
     """
 
     teeth: Mapping[str, Mark]
@@ -47,6 +49,8 @@ class Dimensions:
     tips: Mapping[str, Mark]
     axes: Mark
     ratio: Mark | None
+    closing: Mapping[str, Mark]
+    outside: Mapping[str, Mark]
     conditions: tuple[Condition, ...]
 
 
@@ -86,12 +90,18 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
         axes = draw_mean_radius(draft, scheme, radii)
         ratio = _ratio(draft, motion, scheme, z) if motion.fixed else None
         found = _assembly(draft, scheme, z, k)
-        return Dimensions(z, k, radii, {}, axes, ratio, found)
+        return Dimensions(z, k, radii, {}, axes, ratio, {}, {}, found)
     axes, *again = (
         _axes(draft, letter, mesh.sense, modules[mesh.rim], z[mesh.wheel], z[mesh.rim])
         for letter, mesh in zip(("a_w", "a′_w", "a″_w"), scheme.meshes, strict=False)
     )
     ratio = _ratio(draft, motion, scheme, z) if motion.fixed and again else None
+    teeth, turned = dict[str, Mark](), dict[str, Mark]()
+    if motion.closing is not None:
+        rows = closing_rows(order, scheme, motion.closing)
+        teeth, unit = draw_teeth(draft, rows), draft.take(Number, f"u_{motion.closing.joint}", 1.0)
+        turned = draw_closing(draft, rows, teeth, motion.closing, unit)
+        ratio = _ratio_of_closed(draft, motion, scheme, z, turned)
     alike = "="
     if scheme.rows == 2 and shifted(order, scheme, in_two_rows(scheme, train.teeth)).all():
         alike = "≠"
@@ -111,7 +121,7 @@ def calculate_train(draft: Draft, order: PlanetaryTask, train: Train) -> Dimensi
         *_undercut(draft, order, scheme, z),
         *_interference(draft, order, scheme, z, ha, modules),
     )
-    return Dimensions(z, k, radii, tips, axes, ratio, conditions)
+    return Dimensions(z, k, radii, tips, axes, ratio, turned, teeth, conditions)
 
 
 def _axes(draft: Draft, letter: str, sense: int, module: Mark, centre: Mark, rim: Mark) -> Mark:
@@ -166,6 +176,32 @@ def _ratio_of_three(draft: Draft, motion: Motion, scheme: Scheme, z: Mapping[str
         for wheel in (motion.first, motion.driven)
     ]
     return draft.draw(t.ratio_of_ratios, motion.ratio, *to_carrier)
+
+
+def third_rate(
+    draft: Draft,
+    scheme: Scheme,
+    z: Mapping[str, Mark],
+    sought: str,
+    given: Mapping[str, Mark],
+    letter: str,
+) -> Mark:
+    """Calculate how a third member turns, by Willis, from two that are given."""
+    last = scheme.meshes[-1].wheel
+    held = draw_held(draft, scheme, z, "1", last)
+    op = {"1": t.rate_of_first, "H": t.rate_of_carrier}.get(sought, t.rate_of_last)
+    known = [given[name] for name in ("1", last, "H") if name != sought]
+    return draft.draw(op, letter, held, *known, unit=known[0].unit)
+
+
+def _ratio_of_closed(
+    draft: Draft, motion: Motion, scheme: Scheme, z: Mapping[str, Mark], turned: Mapping[str, Mark]
+) -> Mark:
+    """Calculate driving over driven of a closed differential: of three members two turn as wheels join them."""
+    if motion.driven in turned:
+        return third_rate(draft, scheme, z, motion.first, turned, motion.ratio)
+    found = third_rate(draft, scheme, z, motion.driven, turned, f"u_{motion.driven}")
+    return draft.draw(t.inverse_ratio, motion.ratio, found)
 
 
 def _wanted(draft: Draft, order: PlanetaryTask, ratio: Mark | None) -> tuple[Condition, ...]:

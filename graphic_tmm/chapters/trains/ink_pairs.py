@@ -48,8 +48,12 @@ def wheels_of(outside: Sequence[SideRows]) -> dict[str, Side]:
     return {name: wheel for view in outside for row in view.rows for name, wheel in row.items()}
 
 
-def draw_outside(outside: Sequence[SideRows]) -> Iterator[tuple[str, Strokes]]:
-    """Yield the wheels, each with the shaft that it brings: the last of a row carries the next row, too."""
+def draw_outside(outside: Sequence[SideRows], *, joined: bool) -> Iterator[tuple[str, Strokes]]:
+    """Yield the wheels, each with the shaft that it brings: the last of a row carries the next row, too.
+
+    ``joined``: the last wheels of two views stand on one shaft.
+    """
+    ends = [[*view.rows[-1]][-1] for view in outside] if joined else []
     for view in outside:
         after = [next(iter(row.values())) for row in view.rows[1:]]
         for row, carried in zip(view.rows, [*after, None], strict=True):
@@ -57,7 +61,10 @@ def draw_outside(outside: Sequence[SideRows]) -> Iterator[tuple[str, Strokes]]:
             for k, (name, wheel) in enumerate(row.items()):
                 strokes = gear_side(wheel.centre, wheel.radius, WIDTH)
                 other = carried if carried is not None and name == last else wheel
-                yield name, (*strokes, *(_shaft(wheel.centre, other.centre) if k else ()))
+                if name in ends:
+                    other = wheels_of(outside)[ends[-1]]
+                shaft = k > 0 and (name not in ends or name == ends[0])
+                yield name, (*strokes, *(_shaft(wheel.centre, other.centre) if shaft else ()))
 
 
 def occupied(outside: Sequence[SideRows]) -> list[tuple[float, float, float, float]]:

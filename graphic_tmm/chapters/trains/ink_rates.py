@@ -30,6 +30,11 @@ def picture_rules(ink: TrainInk) -> dict[Mark, Rule]:
         told = picture.readings[key], picture.speeds[key]
         known = not is_read(ink, told[0])
         rules[end if known else told[0]] = vector(ink, ink.zeros[key], ink.tips[key], *told)
+    if (trial := picture.trial) is not None:
+        spots = sorted(ink.trial.values(), key=lambda z: z.imag)
+        rules[trial.line] = line_between("thin", spots[0], spots[-1])
+        for key, mark in trial.ends.items():
+            rules[mark] = line_between("thin", ink.zeros[key], ink.trial[key])
     for key, spots in body_spots(ink).items():
         low, *_, top = sorted(spots, key=lambda z: z.imag)
         rules[picture.lines[key]] = line_between("main", low, top)
@@ -128,6 +133,10 @@ def picture_letters(ink: TrainInk) -> list[Wanted]:
         if abs(way) >= LEAST:
             of = (picture.ends[name].slot,)
             wanted.append(Wanted(name.lower(), at, small, 0.8, way, of))
+    if picture.trial is not None:
+        for name, mark in picture.trial.ends.items():
+            at = ink.trial[name]
+            wanted.append(Wanted(mark.name, at, small, 0.8, at - ink.zeros[name], (mark.slot,)))
     for key, spots in body_spots(ink).items():
         parts = pairwise(sorted(spots, key=lambda z: z.imag))
         low, high = max(parts, key=lambda part: round(abs(part[1] - part[0]), 6))

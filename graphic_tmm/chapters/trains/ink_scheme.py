@@ -139,7 +139,7 @@ def draw_scheme(made: Scheme2KH) -> Iterator[tuple[str, Strokes]]:
     for mesh in made.scheme.meshes[1:]:
         yield mesh.wheel, tuple(_other(made, mesh))
     yield "H", tuple(_carrier(made, list(rims.values())))
-    yield from draw_outside(made.outside)
+    yield from draw_outside(made.outside, joined=made.motion.closing is not None)
 
 
 def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
@@ -291,8 +291,8 @@ ASIDE = 2.2
 class TrainInk:
     """The places of a train's marks, mm.
 
-    ``points``: A, B, C of the circles; ``zeros``: O, A, B, C beside them; ``tips``: ends of velocities; all by
-    their letters.
+    ``points``: A, B, C of the circles; ``zeros``: O, A, B, C beside them; ``tips``: ends of
+    velocities; ``trial``: those of a trial; all by their letters.
     """
 
     def __init__(self, seen: Seen, made: Planetary, heights: Heights) -> None:
@@ -314,6 +314,9 @@ class TrainInk:
         self.points = {at: self.fixed_place(mark) for at, mark in made.end.points.items()}
         self.zeros = {at: self.fixed_place(mark) for at, mark in made.picture.zeros.items()}
         self.tips = {at: self.fixed_place(mark) for at, mark in made.picture.ends.items()}
+        trial = made.picture.trial
+        ends = trial.ends if trial is not None else {}
+        self.trial = {at: self.fixed_place(mark) for at, mark in ends.items()}
         self.pole, self.foot = self.fixed_place(made.rates.pole), self.fixed_place(made.rates.foot)
         self.ends = {body: self.fixed_place(mark) for body, mark in made.rates.ends.items()}
         self.axes = [seen.point(made.end.satellites, k) for k in seen.positions]

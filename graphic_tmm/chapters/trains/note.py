@@ -32,12 +32,17 @@ EFFICIENCY = said(
     "Of the power that is put in the train hands on the share {planetary_efficiency}."
 )
 
+CIRCULATES = said(
+    "In the members that wheels join the share {planetary_circulating} of the power put in goes round and "
+    "round: it loads these wheels and drives nothing."
+)
+
 
 class TrainPage(Page[Planetary]):
     """What is measured on a train stands where it is measured, in no table of its own."""
 
     tables = (RESULTS,)
-    by_results = (RATIO, FASTER, EFFICIENCY)
+    by_results = (RATIO, FASTER, EFFICIENCY, CIRCULATES)
 
     def concludes(self) -> Iterator[Runs]:
         """Yield the ratio, and that the conditions hold, or which are broken."""

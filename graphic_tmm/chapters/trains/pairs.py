@@ -8,9 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import count, pairwise
-from types import MappingProxyType
-from typing import NamedTuple
+from itertools import count
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import pitch_radius, to_board
@@ -21,17 +19,18 @@ from graphic_tmm.chapters.trains import formulas as f
 from graphic_tmm.chapters.trains.dimensions import Dimensions
 from graphic_tmm.chapters.trains.motion import motion_of
 from graphic_tmm.chapters.trains.pictures import Disc, EndView
+from graphic_tmm.chapters.trains.rows import (
+    Row,
+    draw_rolling,
+    draw_teeth,
+    index,
+    module_of_row,
+    rows_of,
+)
 from graphic_tmm.chapters.trains.task import PlanetaryTask, Scheme
 
 CONTACTS = "EFGKQRSTUV"
 """Letters of the points in which these wheels touch, row by row; then they begin anew with a prime."""
-
-
-class Row(NamedTuple):
-    """Wheels in mesh, from the shaft of the train outward: their numbers and teeth."""
-
-    names: tuple[str, ...]
-    teeth: tuple[int, ...]
 
 
 @dataclass(frozen=True)
@@ -60,20 +59,6 @@ class Pairs:
     before: Mapping[str, Mark]
 
 
-def rows_of(order: PlanetaryTask, scheme: Scheme, side: str) -> tuple[Row, ...]:
-    """Return the rows "behind" or "before" a train, from it outward; numbers go on from its own."""
-    number, found = len(scheme.wheels) + 1, []
-    for name in ("behind", "before"):
-        for teeth in getattr(order, name):
-            names = tuple(str(number + k) for k in range(len(teeth)))
-            number += len(teeth)
-            if name == side:
-                found.append(Row(names, teeth))
-    if side == "behind":
-        return tuple(found)
-    return tuple(Row(row.names[::-1], row.teeth[::-1]) for row in reversed(found))
-
-
 def draw_pairs(
     draft: Draft, order: PlanetaryTask, scheme: Scheme, sizes: Dimensions, end: EndView
 ) -> Pairs:
@@ -83,9 +68,7 @@ def draw_pairs(
     sides = {side: rows_of(order, scheme, side) for side in ("behind", "before")}
     teeth, outside, ratio = dict[str, Mark](), list[Outside](), sizes.ratio
     for rows in sides.values():
-        for row in rows:
-            for name, z in zip(row.names, row.teeth, strict=True):
-                teeth[name] = draft.take(Number, f"z_{index(name)}", float(z))
+        teeth |= draw_teeth(draft, rows)
     ends = [
         (row.names[0], row.names[-1]) if side == "behind" else (row.names[-1], row.names[0])
         for side, rows in sides.items()
@@ -95,9 +78,22 @@ def draw_pairs(
         letter = "U_0" if k == len(ends) else f"U_{{0{k}}}"
         assert ratio is not None
         ratio = draft.draw(f.overall_ratio, letter, ratio, teeth[last], teeth[first])
+    module = draft.uses(sizes.radii["1"])[0]
     for side, member in (("behind", motion.driven), ("before", motion.first)):
         if sides[side]:
-            outside.append(_draw_rows(draft, sides[side], member, teeth, sizes, end, letters))
+            outside.append(_draw_rows(draft, sides[side], member, teeth, module, end, letters))
+    spans = list[float]()
+    closed = zip(order.closed, rows_of(order, scheme, "closed"), strict=True)
+    for (member, _), row in closed:
+        teeth |= {name: sizes.outside[name] for name in row.names}
+        spans.append(float(2 * sum(row.teeth) - row.teeth[0] - row.teeth[-1]))
+        if spans[0] != spans[-1]:
+            one, other = (
+                draft.take(Number, f"Σ_{m}", s)
+                for (m, _), s in zip(order.closed, spans, strict=True)
+            )
+            module = draft.draw(module_of_row, f"m_{member}", module, one, other, unit="m")
+        outside.append(_draw_rows(draft, (row,), member, teeth, module, end, letters))
     before = dict[str, Mark]()
     if onward := [Row(row.names[::-1], row.teeth[::-1]) for row in reversed(sides["before"])]:
         assert isinstance(order.speed, float | int)
@@ -108,44 +104,16 @@ def draw_pairs(
     return Pairs(tuple(outside), ratio if ends else None, teeth, before)
 
 
-def draw_rolling(
-    draft: Draft,
-    rows: Sequence[Row],
-    turns: Mark,
-    teeth: Mapping[str, Mark],
-    called: Mapping[str, str] = MappingProxyType({}),
-) -> dict[str, Mark]:
-    """Calculate how wheels turn from the first on, rows in the order in which power goes through them.
-
-    ``called``: the member on whose shaft a wheel is.
-    """
-    found = dict[str, Mark]()
-    for row in rows:
-        found[row.names[0]] = turns
-        for one, other in pairwise(row.names):
-            letter = f"{turns.name[0]}_{index(called.get(other, other))}"
-            turns = draft.draw(
-                f.rate_back, letter, turns, teeth[one], teeth[other], unit=turns.unit
-            )
-            found[other] = turns
-    return found
-
-
-def index(name: str) -> str:
-    """Return a wheel's number as it stands at a letter."""
-    return name if len(name) == 1 else f"{{{name}}}"
-
-
 def _draw_rows(
     draft: Draft,
     rows: Sequence[Row],
     member: str,
     teeth: Mapping[str, Mark],
-    sizes: Dimensions,
+    module: Mark,
     end: EndView,
     letters: Iterator[str],
 ) -> Outside:
-    module, shaft = draft.uses(sizes.radii["1"])[0], end.axis
+    shaft = end.axis
     stations, discs = list[Mark](), list[dict[str, Disc]]()
     for row in rows:
         letter = next(letters)

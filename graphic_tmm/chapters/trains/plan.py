@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
@@ -9,6 +10,7 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import standard, standard_length
+from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.trains.bevel import (
     BevelView,
     choose_room,
@@ -25,7 +27,14 @@ from graphic_tmm.chapters.trains.pictures import (
     draw_axial_view,
     draw_end_view,
 )
-from graphic_tmm.chapters.trains.rates import Rates, VelocityPicture, draw_picture, draw_rates
+from graphic_tmm.chapters.trains.rates import (
+    Rates,
+    Trial,
+    VelocityPicture,
+    draw_picture,
+    draw_rates,
+)
+from graphic_tmm.chapters.trains.rows import closing_rows, draw_closing
 from graphic_tmm.chapters.trains.task import ASKED, PLANETARY_TRAIN, PlanetaryTask, Scheme, Train
 from graphic_tmm.chapters.trains.tooth_search import choose
 from graphic_tmm.project import Bench
@@ -37,6 +46,8 @@ BEVEL = (110.0, 50.0)
 """Room for bevel wheels, and for the longest velocity above them, mm."""
 VELOCITY, RATE = 70.0, 80.0
 """Room for the longest velocity, and for the longest segment of the plan of angular velocities, mm."""
+TRIAL = 40.0
+"""Room for the longest velocity of a trial, mm."""
 POLES = (60.0, 50.0, 40.0, 30.0, 25.0, 20.0, 15.0, 10.0)
 """Pole distances that are chosen from, mm."""
 BESIDE, ROW, ARM = 60.0, 26.0, 18.0
@@ -80,12 +91,16 @@ def choose_scales(draft: Draft, drawn: Drawn) -> None:
     draft.given |= {draft.mu_l: 1.0, mu_v: 1.0, distance: 1.0, rates.depth: BELOW}
     draft.given |= dict.fromkeys((*stations.values(), picture.place), 0.0)
     draft.given |= {mark: 0.0 for view in drawn.pairs.outside for mark in view.stations}
+    if picture.trial is not None:
+        draft.given[picture.trial.length] = 1.0
     diameter, longest_velocity = BEVEL if drawn.train.scheme.bevel else (DIAMETER, VELOCITY)
     draft.given[draft.mu_l] = order.mu_l or standard_length(
         2.0 * _reach(draft, drawn), diameter * size
     )
     longest = max(_sizes(draft, picture.readings.values()))
     draft.given[mu_v] = order.mu_v or standard(longest, longest_velocity * size)
+    if picture.trial is not None:
+        _choose_trial(draft, picture, picture.trial, size)
     if drawn.train.scheme.bevel:
         choose_room(draft, picture, rates, drawn.axial, size)
         return
@@ -93,6 +108,16 @@ def choose_scales(draft: Draft, drawn: Drawn) -> None:
     fits = (pole for pole in POLES if pole * longest <= RATE * size)
     draft.given[distance] = order.pole or next(fits, RATE * size / longest)
     _place(draft, drawn, stations)
+
+
+def _choose_trial(draft: Draft, picture: VelocityPicture, trial: Trial, size: float) -> None:
+    """Choose the trial of a closed train: in whole mm, to the side where the true picture is not."""
+    at = next(iter(trial.ends))
+    marks = (*trial.ends.values(), picture.ends[at])
+    reading = execute(draft.board.construction(), draft.given, marks)
+    *ends, true = (float(reading[mark][0, 0].real) for mark in marks)
+    length = TRIAL * size / max(map(abs, ends))
+    draft.given[trial.length] = math.copysign(round(length) or length, -true)
 
 
 def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
@@ -104,11 +129,17 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
     size, scheme = drawn.size, drawn.train.scheme
     outside, idle = scheme.second > 0 and scheme.rows > 1, "H" not in scheme.members
     first = _reach(draft, drawn) + BESIDE * size
-    rows = {view.member == "1": view.stations for view in drawn.pairs.outside}
-    for station in rows.get(True, ()):
+    views = sorted(drawn.pairs.outside, key=lambda view: view.member == "H")
+    rows = {
+        left: tuple(
+            mark for view in views if (view.member == "1") == left for mark in view.stations
+        )
+        for left in (True, False)
+    }
+    for station in rows[True]:
         draft.given[station] = -SHAFT
         first += SHAFT
-    if rows.get(True):
+    if rows[True]:
         draft.given[rows[True][0]] = first - SHAFT
     if idle:
         first += IDLE + (HOLLOW if drawn.motion.fixed != "3" else 0.0)
@@ -119,16 +150,20 @@ def _place(draft: Draft, drawn: Drawn, stations: Mapping[str, Mark]) -> None:
     draft.given |= {stations["I"]: first, stations["H"]: arm}
     if "II" in stations:
         draft.given[stations["II"]] = last
-    marks = tuple(drawn.picture.ends.values())
+    trial = drawn.picture.trial
+    marks = (*drawn.picture.ends.values(), *(trial.ends.values() if trial is not None else ()))
     tips = execute(draft.board.construction(), draft.given, marks)
     left = min(float(tips[mark][0, 0].real) for mark in marks)
     turns = not outside and not idle and drawn.motion.fixed != drawn.motion.last
     beside = max(PICTURE * size, CLEAR) + (HOLLOW if turns else 0.0)
     zero = last + size * ARM + beside + max(0.0, -left)
-    if rows.get(False):
+    if rows[False]:
         begins = max(last, arm) + SHAFT + (HOLLOW if turns else 0.0)
         draft.given |= dict.fromkeys(rows[False], SHAFT)
         draft.given[rows[False][0]] = begins
+        if sum(view.member != "1" for view in views) > 1:
+            # both from O: that of the carrier behind the hollow shaft of the other
+            draft.given[rows[False][1]] = begins + HOLLOW + SHAFT
         ends = tuple(drawn.rates.ends.values())
         rays = execute(draft.board.construction(), draft.given, ends)
         left = min(left, *(float(rays[mark][0, 0].real) for mark in ends))
@@ -219,7 +254,13 @@ def draw_planetary(draft: Draft, order: PlanetaryTask, size: float = 1.0) -> Pla
         axial = draw_axial_view(draft, train, end)
     pairs = draw_pairs(draft, order, train.scheme, sizes, end)
     motion = motion_of(order)
-    picture = draw_picture(draft, motion, train.scheme, end, sizes, [*pairs.before.values()])
+    closing, turned = motion.closing, dict[str, Mark]()
+    if closing is not None and closing.joint in motion.driving:
+        drives = draft.take(Number, f"ω_{closing.joint}", motion.driving[closing.joint], "1/s")
+        rows = closing_rows(order, train.scheme, closing)
+        turned = draw_closing(draft, rows, sizes.outside, closing, drives)
+    before = [*pairs.before.values()]
+    picture = draw_picture(draft, motion, train.scheme, end, sizes, before, turned)
     if isinstance(end, BevelView):
         rates = draw_triangle(draft, motion, train, end, sizes, picture)
     else:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import in_si, product, scale_of_derivative, to_board
@@ -24,10 +25,11 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.trains import formulas as f
 from graphic_tmm.chapters.trains import words as why
-from graphic_tmm.chapters.trains.dimensions import Dimensions, draw_held
+from graphic_tmm.chapters.trains.dimensions import Dimensions, draw_held, third_rate
 from graphic_tmm.chapters.trains.formulas import miss_of_ratio, ratio_of_segments
-from graphic_tmm.chapters.trains.motion import Motion
+from graphic_tmm.chapters.trains.motion import Closing, Motion
 from graphic_tmm.chapters.trains.pictures import EndView
+from graphic_tmm.chapters.trains.rows import closed_velocity, of_trial
 from graphic_tmm.chapters.trains.task import Scheme, Train
 from graphic_tmm.chapters.trains.tooth_conditions import stands_still
 
@@ -38,6 +40,19 @@ STANDS = "0"
 
 
 @dataclass(frozen=True)
+class Trial:
+    """Velocities of any size of two members that are closed (false position), and what drives moves by them.
+
+    ``length``: of the first of them (Length, given); ``ends``: of all three velocities by the point; ``line``:
+    that of the satellites.
+    """
+
+    length: Mark
+    ends: Mapping[str, Mark]
+    line: Mark
+
+
+@dataclass(frozen=True)
 class VelocityPicture:
     """The picture of linear velocities.
 
@@ -45,7 +60,7 @@ class VelocityPicture:
     bevel wheels;
     ``ends``: those of velocities, by the point; ``lines``: of the bodies that move, satellites as "2";
     ``readings``: the velocities by point, laid off and the others measured (Length); ``speeds`` the same in
-    m/s; ``omegas``: what is given, 1/s, by the member.
+    m/s; ``omegas``: what is given, 1/s, by the member. ``trial``: by which a closed train was found.
     """
 
     mu: Mark
@@ -56,6 +71,7 @@ class VelocityPicture:
     readings: Mapping[str, Mark]
     speeds: Mapping[str, Mark]
     omegas: Mapping[str, Mark]
+    trial: Trial | None = None
 
 
 @dataclass(frozen=True)
@@ -90,10 +106,12 @@ def draw_picture(
     end: EndView,
     sizes: Dimensions,
     before: Sequence[Mark] = (),
+    closing: Mapping[str, Mark] = MappingProxyType({}),
 ) -> VelocityPicture:
     """Draw the picture from two points of the satellite that are known, of A, its axis B and C.
 
-    ``before``: where wheels stand before the train, angular velocities up to that of what drives.
+    ``before``: where wheels stand before the train, angular velocities up to that of what drives; ``closing``:
+    of wheels that let another member turn with it.
     """
     draft.open(VELOCITIES)
     mu = draft.scale("μ_v", "(m/s)/mm")
@@ -116,8 +134,11 @@ def draw_picture(
         dict[str, Mark](),
     )
     for member, given in motion.driving.items():
+        known = closing.get(member) or (before[-1] if before else None)
+        omegas[member] = known or draft.take(Number, f"ω_{member}", given, "1/s")
+    omegas |= {member: omega for member, omega in closing.items() if member in points}
+    for member in omegas:
         at = points[member]
-        omegas[member] = before[-1] if before else draft.take(Number, f"ω_{member}", given, "1/s")
         speeds[at] = draft.draw(product, f"v_{at}", omegas[member], arms[at], unit="m/s")
         readings[at] = draft.draw(to_board, f"{at}{at.lower()}", speeds[at])
         along = draft.draw(
@@ -129,16 +150,22 @@ def draw_picture(
             why=why.KNOWN_VELOCITY,
         )
         tips[at] = draft.draw(lay_off, at.lower(), along, readings[at], why=why.KNOWN_VELOCITY)
-    known = [feet[points[motion.fixed]], *tips.values()] if motion.fixed else [*tips.values()]
-    letter = "".join(mark.letter for mark in known)
+    trial = None
+    if motion.closing is not None and not closing:
+        trial, found = draw_trial(
+            draft, motion.closing, motion.first, points, end, sizes, feet, readings
+        )
+        at = points[motion.closing.joint]
+        readings[at] = found
+        speeds[at] = draft.draw(in_si, f"v_{at}", found, unit="m/s")
+        along = draft.uses(trial.ends[at])[0]
+        tips[at] = draft.draw(lay_off, at.lower(), along, found, why=why.KNOWN_VELOCITY)
+    through = [feet[points[motion.fixed]], *tips.values()] if motion.fixed else [*tips.values()]
+    letter = "".join(mark.letter for mark in through)
     reason = why.SATELLITE_LINE if points.get(motion.fixed) == "C" else why.SATELLITE_OF_TWO
-    satellite = draft.draw(join, f"({letter})", *known, why=reason)
+    satellite = draft.draw(join, f"({letter})", *through, why=reason)
     sought = sorted(
-        (
-            at
-            for at, member in scheme.spots.items()
-            if member not in (motion.fixed, *motion.driving)
-        ),
+        (at for at, member in scheme.spots.items() if at not in tips and member != motion.fixed),
         key=lambda at: scheme.spots[at] != motion.driven,
     )
     for at in sought:
@@ -156,7 +183,40 @@ def draw_picture(
         )
         speeds[at] = draft.draw(in_si, f"v_{at}", readings[at], unit="m/s")
     ends = {point: tips[point] for point in points.values() if point in tips}
-    return VelocityPicture(mu, place, {name: origin, **feet}, ends, lines, readings, speeds, omegas)
+    zeros = {name: origin, **feet}
+    return VelocityPicture(mu, place, zeros, ends, lines, readings, speeds, omegas, trial)
+
+
+def draw_trial(
+    draft: Draft,
+    closing: Closing,
+    driving: str,
+    points: Mapping[str, str],
+    end: EndView,
+    sizes: Dimensions,
+    feet: Mapping[str, Mark],
+    readings: Mapping[str, Mark],
+) -> tuple[Trial, Mark]:
+    """Draw velocities of any size; return what that of the first member is where what drives has its own."""
+    at, to, by = (points[member] for member in (closing.joint, closing.other, driving))
+    arms = [sizes.radii.get(member, sizes.axes) for member in (closing.other, closing.joint)]
+    length = draft.ask(Length, f"{at}{at.lower()}′", "mm")
+    other = draft.draw(
+        closed_velocity, f"{to}{to.lower()}′", length, sizes.closing[closing.other], *arms
+    )
+    ends = dict[str, Mark]()
+    for name, own in ((at, length), (to, other)):
+        letter = f"({name}{name.lower()}′)"
+        way = draft.draw(parallel, letter, feet[name], end.levels[name], sense=1, why=why.TRIAL)
+        ends[name] = draft.draw(lay_off, f"{name.lower()}′", way, own, why=why.TRIAL)
+    letter = f"({ends[at].letter}{ends[to].letter})"
+    line = draft.draw(join, letter, ends[at], ends[to], why=why.TRIAL)
+    ends[by] = draft.draw(meet, f"{by.lower()}′", line, end.levels[by], why=why.TRIAL)
+    read = draft.draw(
+        measure_along, f"{by}{by.lower()}′", feet[by], ends[by], end.axis, why=why.VELOCITY_READ
+    )
+    found = draft.draw(of_trial, f"{at}{at.lower()}", length, readings[by], read)
+    return Trial(length, ends, line), found
 
 
 def draw_rates(
@@ -236,7 +296,4 @@ def draw_willis(
         carrier = draft.draw(f.rate_of_carrier, "ω′_H", held, *given.values(), unit="1/s")
         held = draw_held(draft, scheme, z, driven, other)
         return draft.draw(f.rate_of_first, letter, held, given[other], carrier, unit="1/s")
-    held = draw_held(draft, scheme, z, "1", motion.last)
-    op = {"1": f.rate_of_first, "H": f.rate_of_carrier}.get(driven, f.rate_of_last)
-    known = (given[name] for name in ("1", motion.last, "H") if name != driven)
-    return draft.draw(op, letter, held, *known, unit="1/s")
+    return third_rate(draft, scheme, z, driven, given, letter)

@@ -9,8 +9,9 @@ from graphic_tmm.board.operations.formulas import turns_a_minute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.trains import formulas as t
-from graphic_tmm.chapters.trains.pairs import draw_rolling, index, rows_of
+from graphic_tmm.chapters.trains.closed_torques import draw_closed_torques, draw_powers
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN, Planetary, record
+from graphic_tmm.chapters.trains.rows import Row, closing_rows, draw_rolling, index, rows_of
 from graphic_tmm.chapters.trains.task import PLANETARY_TRAIN
 from graphic_tmm.chapters.trains.torques import draw_torques
 from graphic_tmm.drawn import Drawn
@@ -28,7 +29,8 @@ class Aside(NamedTuple):
     train of one row that its ratio asks for, not yet whole; ``most``: the largest number of satellites whose
     teeth do not touch; ``turns``: of the bodies that move, as drawn, and of the wheels outside, rpm;
     ``torques`` on the three shafts, N·m, and the ``efficiency`` where one drives, if asked for, by the
-    numbers of what is ``lost``; ``speed``: of the last wheel behind the train, rpm, without sign. None where
+    numbers of what is ``lost``; the ``powers`` (W) on members of a closed differential, and what share of that
+    put in ``circulates``; ``speed``: of the last wheel behind the train, rpm, without sign. None where
     there is no such thing.
     """
 
@@ -41,6 +43,8 @@ class Aside(NamedTuple):
     torques: Mapping[str, Mark]
     efficiency: Mark | None
     speed: Mark | None
+    powers: Mapping[str, Mark]
+    circulates: Mark | None
 
 
 BESIDE: Recorded[Aside] = Recorded(aside(PLANETARY_TRAIN))
@@ -65,8 +69,21 @@ def record_beside(bench: Bench) -> Aside:
     if behind := rows_of(made.order, made.train.scheme, "behind"):
         driven = turns[made.motion.driven]
         turns |= draw_rolling(bench.draft, behind, driven, made.pairs.teeth)
-    lost, torques, share = draw_torques(bench.draft, made)
-    return Aside(stopped, ring, satellite, most, turns, lost, torques, share, _speed(bench, made))
+    if (closing := made.motion.closing) is not None:
+        first, (names, teeth) = closing_rows(made.order, made.train.scheme, closing)
+        rows, outer = (first, Row(names[:-1], teeth[:-1])), turns[closing.joint]
+        turns |= draw_rolling(bench.draft, rows, outer, made.pairs.teeth)
+        turns[names[-1]] = turns[closing.other]
+    closing = made.motion.closing
+    if closing is not None and made.order.moment is not None:
+        lost, torques, share = draw_closed_torques(bench.draft, made, closing)
+    else:
+        lost, torques, share = draw_torques(bench.draft, made)
+    powers, round_about = draw_powers(bench.draft, made, torques)
+    last = _speed(bench, made)
+    return Aside(
+        stopped, ring, satellite, most, turns, lost, torques, share, last, powers, round_about
+    )
 
 
 def _teeth_for_ratio(bench: Bench, made: Planetary) -> tuple[Mark | None, Mark | None]:

@@ -6,7 +6,8 @@ import math
 
 from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.chapters.trains.motion import motion_of, refused
-from graphic_tmm.chapters.trains.task import SCHEMES, TEETH, PlanetaryTask, Scheme, module_ratio
+from graphic_tmm.chapters.trains.task import SCHEMES, PlanetaryTask, Scheme, module_ratio
+from graphic_tmm.chapters.trains.task_values import TEETH
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.declare import bound_of
 
@@ -24,8 +25,9 @@ def scheme_of(order: PlanetaryTask) -> Scheme:
         listed = ", ".join(SCHEMES)
         says = said('no scheme "{name}": take one of {listed}', name=order.scheme, listed=listed)
         raise TaskError("planetary", "scheme", says)
-    for name in ("behind", "before"):
-        for row in getattr(order, name):
+    closed = tuple(row for _, row in order.closed)
+    for name, rows in (("behind", order.behind), ("before", order.before), ("closed", closed)):
+        for row in rows:
             for z in row:
                 _bounded(name, z)
     _refuse_sizes(order, scheme)
@@ -154,7 +156,8 @@ def _refuse_sought(order: PlanetaryTask, scheme: Scheme) -> None:
 def _refuse_ratio(order: PlanetaryTask) -> None:
     if not motion_of(order).fixed:
         if order.ratio is not None:
-            raise refused("ratio", said("a differential has no ratio: leave it out"))
+            says = said("a differential has no ratio that teeth are sought by: leave it out")
+            raise refused("ratio", says)
         if order.behind or order.before:
             says = said("behind a differential no pair is drawn: leave it out")
             raise refused("behind" if order.behind else "before", says)

@@ -48,11 +48,16 @@ def train_results(drawn: Drawn) -> Results:
     found |= {f"planetary_n_{body}": mark for body, mark in beside.turns.items()}
     if not locks(drawn):
         found |= {f"planetary_M_{member}": mark for member, mark in beside.torques.items()}
+        found |= {f"planetary_N_{member}": mark for member, mark in beside.powers.items()}
         if beside.efficiency is not None:
             found["planetary_efficiency"] = beside.efficiency
+        if beside.circulates is not None and drawn.value(beside.circulates) > LITTLE:
+            found["planetary_circulating"] = beside.circulates
     return results_of(drawn, found)
 
 
+LITTLE = 1e-3
+"""No less a share of the power put in is told to circulate: of none a ruler leaves so much."""
 SLANT = 1.0
 """How far inclined letters lean over the width of a text, mm."""
 CHOICE = 12

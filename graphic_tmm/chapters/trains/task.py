@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from graphic_tmm.board.bounds import Bound
+from graphic_tmm.chapters.trains import task_values as own
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, combined_key, key
-from graphic_tmm.scene.misfits import stands
+from graphic_tmm.scene.declare import Flaw, Said, Section, combined_key, key
 from graphic_tmm.scene.tasks import SectionKey
 
 if TYPE_CHECKING:
@@ -161,111 +161,6 @@ class Limits:
     difference: int = 8
 
 
-TEETH = Bound(1, 1000, whole=True)
-_SATELLITES = Bound(1, 49, whole=True)
-_RATIO = Bound(-10_000, 10_000)
-
-
-def either(kind: Kind) -> dict[str, Any]:
-    """Return the schema of a value, or of a list of two."""
-    own = kind.schema({})
-    return {"anyOf": [own, {"type": "array", "items": own, "minItems": 2, "maxItems": 2}]}
-
-
-def _ratio(value: object, names: Names) -> float:
-    if not _RATIO.holds(value) or value == 0:
-        raise ValueError(stands(value, said("a ratio is a number, 4.55, negative if it reverses")))
-    return float(value)  # type: ignore[arg-type]
-
-
-def _teeth(value: object, names: Names) -> tuple[int | None, ...]:
-    """Return tooth numbers; None for one that is to be found, written "?"."""
-
-    def fine(z: object) -> bool:
-        return z == "?" or (isinstance(z, int) and TEETH.holds(z))
-
-    if not isinstance(value, list) or not all(fine(z) for z in value):
-        raise ValueError(
-            stands(
-                value,
-                said(
-                    'a list of tooth numbers is wanted, [25, "?", "?"]: a "?" for one to be found'
-                ),
-            )
-        )
-    return tuple(None if z == "?" else z for z in value)
-
-
-def _rows(value: object, names: Names) -> tuple[tuple[int, ...], ...]:
-    several = isinstance(value, list) and any(isinstance(one, list) for one in value)
-    try:
-        rows = [_teeth(row, names) for row in (value if several else [value])]  # type: ignore[attr-defined]
-    except ValueError:
-        rows = [(None,)]
-    if any(None in row for row in rows):
-        says = said("tooth numbers of a pair that stands already are wanted, [15, 25]")
-        raise ValueError(stands(value, says))
-    return tuple(row for row in rows if row)  # type: ignore[misc]
-
-
-def _speeds(value: object, names: Names) -> float | tuple[float, ...]:
-    if not isinstance(value, list):
-        return _SIGNED.read(value, names)  # type: ignore[no-any-return]
-    if len(value) != 2:
-        says = said('two shafts of a differential drive: write ["100 rpm", "-20 rpm"]')
-        raise ValueError(stands(value, says))
-    found = tuple(_SIGNED.read(one, names) for one in value)
-    if 0.0 in found:
-        says = said(
-            "a shaft that stands does not drive: give the speed of the other alone, and what is fixed"
-        )
-        raise ValueError(stands(value, says))
-    return found
-
-
-def _drivers(value: object, names: Names) -> str | tuple[str, ...]:
-    if not isinstance(value, list):
-        return _MEMBER.read(value, names)  # type: ignore[no-any-return]
-    found = tuple(_MEMBER.read(one, names) for one in value)
-    if len(found) != 2 or found[0] == found[1]:
-        raise ValueError(stands(value, said('two different members drive: write ["1", "H"]')))
-    return found
-
-
-def _satellites(value: object, names: Names) -> tuple[int, ...]:
-    listed = value if isinstance(value, list) else [value]
-    if not listed or not all(isinstance(k, int) and _SATELLITES.holds(k) for k in listed):
-        raise ValueError(stands(value, said("write a number of satellites, 3, or [3, 4]")))
-    return tuple(listed)
-
-
-_COUNT = v.number(TEETH)
-_SIGNED = v.quantity("angular speed")
-_MEMBER = v.choice("1", "3", "4", "5", "H")
-_SPEEDS = Kind(_speeds, either(_SIGNED), unit="angular speed")
-_DRIVERS = Kind(_drivers, either(_MEMBER))
-_ASKED = Kind(
-    _teeth,
-    {
-        "type": "array",
-        "items": {"anyOf": [dict(TEETH.schema), {"type": "string", "const": "?"}]},
-    },
-    TEETH,
-)
-_ROW = {"type": "array", "items": dict(TEETH.schema)}
-_ROWS = Kind(_rows, {"type": "array", "items": {"anyOf": [dict(TEETH.schema), _ROW]}}, TEETH)
-_SHAFTS = Kind(
-    _satellites,
-    {
-        "anyOf": [
-            dict(_SATELLITES.schema),
-            {"type": "array", "items": dict(_SATELLITES.schema), "minItems": 1},
-        ]
-    },
-    _SATELLITES,
-)
-
-
 @dataclass(frozen=True)
 class PlanetaryTask:
     """A planetary train: tooth numbers wanted, or checked.
@@ -282,8 +177,10 @@ class PlanetaryTask:
     clearance. ``moment``: torque on the (first) driving shaft in its sense, N·m; None asks for no torques;
     ``mesh_efficiency``: of each mesh with the carrier held. ``behind``: the teeth of the pairs of gears behind
     the train, in the order in which power goes through them, idlers between; ``before``: of those before it,
-    the ``speed`` is that of the first of them. ``mu_l`` (m/mm), ``mu_v`` ((m/s)/mm) and ``pole``, the pole
-    distance of the plan of angular velocities (mm): standard and round ones are chosen where they are None.
+    the ``speed`` is that of the first of them. ``closed``: two members of a differential that wheels join: of
+    each those from its shaft onward to one that is common to both. ``mu_l`` (m/mm), ``mu_v`` ((m/s)/mm) and
+    ``pole``, the pole distance of the plan of angular velocities (mm): standard and round ones are
+    chosen where they are None.
     """
 
     scheme: str = combined_key(
@@ -292,33 +189,31 @@ class PlanetaryTask:
     )
     module: float = key(v.POSITIVE_LENGTH, "the module, of bevel wheels the mean one", "8 mm")
     speed: float | tuple[float, ...] = key(
-        _SPEEDS, "angular velocity of the driving shaft, of both of a differential", "2888 rpm"
+        own.SPEEDS, "angular velocity of the driving shaft, of both of a differential", "2888 rpm"
     )
     driving: str | tuple[str, ...] = combined_key(
         lambda said: said.driving or SCHEMES[said.scheme].driving(said.fixed),
         "1",
         driving=key(
-            _DRIVERS,
+            own.DRIVERS,
             "which drives, a central wheel or the carrier H, or both of a differential",
             "1",
             None,
         ),
     )
     fixed: str | None = key(
-        _MEMBER, "which stands still, a central wheel or the carrier H", "3", None
+        own.MEMBER, "which stands still, a central wheel or the carrier H", "3", None
     )
-    ratio: float | None = key(
-        Kind(_ratio, v.bounded(_RATIO), _RATIO), "wanted ratio, driving over driven", 4.55, None
-    )
+    ratio: float | None = key(own.RATIO, "wanted ratio, driving over driven", 4.55, None)
     tolerance: float = key(v.number(Bound(0, 0.5), "ratio"), "how far it may be off", "1 %", 0.01)
     teeth: tuple[int | None, ...] = key(
-        _ASKED, 'tooth numbers, "?" for one to be found', [25, "?", "?"], ()
+        own.SOME_TEETH, 'tooth numbers, "?" for one to be found', [25, "?", "?"], ()
     )
     satellites: tuple[int, ...] = combined_key(
         lambda said: said.satellites or (SCHEMES[said.scheme].shafts,),
         (3,),
         satellites=key(
-            _SHAFTS,
+            own.SATELLITES,
             "number of satellites, or several to choose from; if left out 3, bevel ones 2, on an arm 1",
             3,
             None,
@@ -331,9 +226,9 @@ class PlanetaryTask:
     limits: Limits = combined_key(
         lambda said: Limits(said.least, said.most, said.ring_most),
         Limits(),
-        least=key(_COUNT, "fewest teeth", 17, 17),
-        most=key(_COUNT, "most teeth of a wheel", 150, 150),
-        ring_most=key(_COUNT, "most teeth of a ring", 300, 300),
+        least=key(own.COUNT, "fewest teeth", 17, 17),
+        most=key(own.COUNT, "most teeth of a wheel", 150, 150),
+        ring_most=key(own.COUNT, "most teeth of a ring", 300, 300),
     )
     moment: float | None = key(
         v.quantity("moment", Bound(0, above=True)), "torque on the driving shaft", "20 N m", None
@@ -347,10 +242,16 @@ class PlanetaryTask:
         v.DRAWN, "pole distance of the plan of angular velocities", "40 mm", None
     )
     behind: tuple[tuple[int, ...], ...] = key(
-        _ROWS, "teeth of the pair of gears behind the train, or of several pairs", [15, 25], ()
+        own.ROWS, "teeth of the pair of gears behind the train, or of several pairs", [15, 25], ()
     )
     before: tuple[tuple[int, ...], ...] = key(
-        _ROWS, "teeth of the pair of gears before the train, or of several pairs", [20, 60], ()
+        own.ROWS, "teeth of the pair of gears before the train, or of several pairs", [20, 60], ()
+    )
+    closed: tuple[tuple[str, tuple[int, ...]], ...] = key(
+        own.CLOSED,
+        "two shafts of a differential that wheels join: teeth from each to a shaft of both",
+        [["H", 30, 20], ["3", 32, 18]],
+        (),
     )
 
 

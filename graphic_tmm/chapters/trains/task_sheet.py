@@ -9,8 +9,8 @@ from graphic_tmm.chapters.trains.ink_bevel import draw_bevel_scheme, spots_of_be
 from graphic_tmm.chapters.trains.ink_pairs import WIDTH, Side, SideRows
 from graphic_tmm.chapters.trains.ink_scheme import ASIDE, Scheme2KH, draw_scheme, spots
 from graphic_tmm.chapters.trains.motion import Motion, motion_of
-from graphic_tmm.chapters.trains.pairs import index, rows_of
-from graphic_tmm.chapters.trains.plan import ARM, ROW, SHAFT
+from graphic_tmm.chapters.trains.plan import ARM, HOLLOW, ROW, SHAFT
+from graphic_tmm.chapters.trains.rows import index, rows_of
 from graphic_tmm.chapters.trains.task import ASKED, SCHEMES, PlanetaryTask, Scheme
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
@@ -42,12 +42,14 @@ def given(scene: Scene) -> Iterator[Given]:
     for number, teeth in enumerate(order.teeth, 1):
         if teeth is not None:
             yield Given(f"z_{number}", teeth)
-    others = [z for row in (*order.behind, *order.before) for z in row]
+    closing = (row for _, row in order.closed)
+    others = [z for row in (*order.behind, *order.before, *closing) for z in row]
     for number, teeth in enumerate(others, len(SCHEMES[order.scheme].wheels) + 1):
         yield Given(f"z_{index(str(number))}", teeth)
     yield Given("k", ", ".join(map(str, order.satellites)))
     if order.moment is not None:
-        yield Given(f"M_{motion.first}", order.moment, "N·m")
+        shared = motion.closing is not None and motion.closing.joint == motion.first
+        yield Given(f"M_{'0' if shared else motion.first}", order.moment, "N·m")
         if order.mesh_efficiency < 1.0:
             yield Given("η_m", order.mesh_efficiency)
 
@@ -136,14 +138,22 @@ def _placed(order: PlanetaryTask, share: float, apart: float) -> Scheme2KH:
         arm = -ARM
     motion = motion_of(order)
     outside = []
-    for name, member in (("behind", motion.driven), ("before", motion.first)):
+    closed = zip(order.closed, rows_of(order, kind, "closed"), strict=True)
+    sides = [
+        (motion.driven, rows_of(order, kind, "behind")),
+        (motion.first, rows_of(order, kind, "before")),
+        *sorted(((member, (row,)) for (member, _), row in closed), key=lambda side: side[0] == "H"),
+    ]
+    farther = 0.0
+    for member, some in sides:
         onward = apart if apart == SHAFT else NEXT
         at, way = min(0.0, arm) - apart, -onward
         if member != "1":
             # the disc of a ring 5 stands between
             at, way = max(last + (0.0 if "H" in kind.members else WIDTH), arm) + apart, onward
+            at, farther = at + farther, HOLLOW + SHAFT if some else farther
         rows, y = [], 0.0
-        for row in rows_of(order, kind, name):
+        for row in some:
             rows.append(_row(row.names, complex(at, y), share))
             at, y = at + way, [*rows[-1].values()][-1].centre.imag
         if rows:
@@ -195,6 +205,8 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
 
 def _stands(motion: Motion, language: str) -> str:
     _ = speaking(language)
+    if (closing := motion.closing) is not None:
+        return _(_CLOSED, one=closing.joint, other=closing.other, driven=motion.driven)
     if not motion.fixed:
         return _(_DIFFERENTIAL, driven=motion.driven)
     return _(_STANDS, member=motion.fixed)
@@ -214,7 +226,7 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     bevel = SCHEMES[order.scheme].bevel
     yield _(_DRAWN_BEVEL if bevel else _DRAWN)
     single = len(SCHEMES[order.scheme].meshes) == 1
-    yield _(_PLANET if single else _PICTURES if motion.fixed else _THIRD)
+    yield _(_PLANET if single else _PICTURES if motion.fixed or motion.closing else _THIRD)
     if bevel:
         yield _(_RELATIVE)
     if order.moment is not None:
@@ -257,6 +269,10 @@ _RELATIVE = said(
 )
 _STANDS = said("Of its coaxial members {member} stands still.")
 _DIFFERENTIAL = said("No member stands still: two of its shafts drive, {driven} is driven.")
+_CLOSED = said(
+    "No member stands still: wheels outside join {one} and {other}, so that one shaft drives; {driven} is "
+    "driven."
+)
 _THIRD = said(
     "The picture of linear velocities and the plan of angular velocities are drawn; the angular velocity of "
     "the driven shaft is found from them and compared with Willis's formula."

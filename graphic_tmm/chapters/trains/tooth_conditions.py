@@ -83,9 +83,20 @@ def held_rates(scheme: Scheme, z: Mapping[str, Any]) -> dict[str, Any]:
 def rates_of(train: Train, motion: Motion) -> tuple[dict[str, Any], float]:
     """Return the rates with the carrier held, and times how much (1/s) its members have them as they move."""
     rates = held_rates(train.scheme, dict(zip(train.scheme.wheels, train.teeth, strict=True)))
+    if motion.closing is not None:
+        relative, spin = closed_rates(motion, rates)
+        return rates, float(motion.driving[motion.first] / relative[motion.first] * spin)
     known = dict(motion.driving) | ({motion.fixed: 0.0} if motion.fixed else {})
     (one, at_one), (other, at_other) = known.items()
     return rates, (at_one - at_other) / (rates[one] - rates[other])
+
+
+def closed_rates(motion: Motion, rates: Mapping[str, Any]) -> tuple[dict[str, Fraction], Fraction]:
+    """Return how members of a closed differential turn by each other; times how much they have their rates."""
+    assert motion.closing is not None
+    joint, other, ratio = motion.closing
+    spin, carrier = 1 - ratio, ratio * rates[joint] - rates[other]
+    return {name: carrier + spin * rate for name, rate in rates.items()}, spin
 
 
 def stands_still(train: Train, motion: Motion) -> bool:

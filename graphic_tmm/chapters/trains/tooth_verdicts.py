@@ -80,7 +80,7 @@ def check(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
         if not single:
             found.append(_assembly(pair, train.satellites, z))
         found += [*_undercut(order, pair, z), *_interference(order, pair, z)]
-    return tuple(dict.fromkeys(found))
+    return tuple(dict.fromkeys([*found, *_shaft_beside(order, train)]))
 
 
 def _teeth(train: Train, pair: Scheme) -> Teeth:
@@ -105,13 +105,15 @@ def _ratio(order: PlanetaryTask, train: Train) -> tuple[Verdict, ...]:
     motion = motion_of(order)
     rates = c.held_rates(train.scheme, dict(zip(train.scheme.wheels, train.teeth, strict=True)))
     if not motion.fixed:
-        one, other = motion.driving
-        if rates[one] != rates[other]:
+        one, other = motion.driving if motion.closing is None else ("1", motion.last)
+        if rates[one] == rates[other]:
+            says = said(
+                "ratio: with the carrier held both central wheels turn alike: the train is locked"
+            )
+            return (Verdict("ratio", "", False, math.inf, says),)
+        if motion.closing is None:
             return ()
-        says = said(
-            "ratio: with the carrier held both central wheels turn alike: the train is locked"
-        )
-        return (Verdict("ratio", "", False, math.inf, says),)
+        rates = c.closed_rates(motion, rates)[0] | {motion.fixed: Fraction(0)}
     found, name = float(c.ratio_of(motion, rates)), f"U_{motion.first}{motion.driven}"
     holds = bool(c.fits(order, np.asarray(found)))
     if order.ratio is None:
@@ -240,6 +242,24 @@ def _interference(order: PlanetaryTask, scheme: Scheme, z: Teeth) -> tuple[Verdi
         )
         made.append(Verdict("interference", mesh, holds, float(outer[0]), text))
     return tuple(made)
+
+
+def _shaft_beside(order: PlanetaryTask, train: Train) -> Iterator[Verdict]:
+    """Yield that the shaft from one side of a closed differential to the other goes through the train."""
+    if "1" not in (name for name, _ in order.closed):
+        return
+    (_, row), *_ = order.closed
+    apart = 0.5 * order.module * (2 * sum(row) - row[0] - row[-1])
+    (most,) = c.size(order, train.scheme, _teeth(train, train.scheme), module_ratio(order))
+    reach = 0.5 * order.module * float(most)
+    if apart <= reach:
+        text = said(
+            "interference: the shaft that closes the differential runs {apart:.4g} mm off the axis, through "
+            "the wheels, which reach out to {reach:.4g} mm; take more teeth for those on it",
+            apart=1000.0 * apart,
+            reach=1000.0 * reach,
+        )
+        yield Verdict("interference", "closed", False, apart, text)
 
 
 def _bevel(order: PlanetaryTask, train: Train, q: Fraction) -> Iterator[Verdict]:

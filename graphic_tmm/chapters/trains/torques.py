@@ -105,29 +105,41 @@ def draw_torques(
     draft.open(TORQUES)
     if "H" not in made.train.scheme.members:
         return _three_wheels(draft, made, order.moment)
-    first, last = motion.first, motion.last
+    first = motion.first
     given = math.copysign(order.moment, motion.driving[first])
-    torques = {first: draft.take(Number, f"M_{first}", given, "N·m")}
+    driving = draft.take(Number, f"M_{first}", given, "N·m")
+    flow = mesh_flows(made.train, motion)["1"]
+    lost, torques = draw_members(draft, made, first, driving, flow)
+    return lost, torques, _efficiency(draft, made, torques)
+
+
+def draw_members(
+    draft: Draft, made: Planetary, first: str, driving: Mark, flow: int
+) -> tuple[tuple[Mark, ...], dict[str, Mark]]:
+    """Calculate the torques on all members from that on one; ``flow``: of `mesh_flows`, of wheel 1."""
+    last = made.motion.last
+    letter = driving.name.partition("_")[0]
+    torques = {first: driving}
     ratio = draw_held(draft, made.train.scheme, made.sizes.teeth, "1", last)
     lost = [ratio]
-    flow = mesh_flows(made.train, motion)["1"]
-    if order.mesh_efficiency < 1.0 and flow:
-        mesh = draft.take(Number, "η_m", order.mesh_efficiency)
+    if made.order.mesh_efficiency < 1.0 and flow:
+        mesh = draft.take(Number, "η_m", made.order.mesh_efficiency)
         held = draft.draw(efficiency_held, "η_0", mesh)
         op = ratio_of_torques if flow > 0 else ratio_of_torques_back
         ratio = draft.draw(op, "u", ratio, held)
         lost += [held, ratio]
     if first == "H":
-        torques["1"] = draft.draw(torque_by_carrier, "M_1", torques["H"], ratio, unit="N·m")
+        torques["1"] = draft.draw(torque_by_carrier, f"{letter}_1", driving, ratio, unit="N·m")
         others = ("H", "1", last)
     else:
         op = torque_of_last if first == "1" else torque_of_first
         other = last if first == "1" else "1"
-        torques[other] = draft.draw(op, f"M_{other}", torques[first], ratio, unit="N·m")
+        torques[other] = draft.draw(op, f"{letter}_{other}", driving, ratio, unit="N·m")
         others = (first, other, "H")
     one, two, third = others
-    torques[third] = draft.draw(third_torque, f"M_{third}", torques[one], torques[two], unit="N·m")
-    return tuple(lost), torques, _efficiency(draft, made, torques)
+    own = torques[one], torques[two]
+    torques[third] = draft.draw(third_torque, f"{letter}_{third}", *own, unit="N·m")
+    return tuple(lost), torques
 
 
 def _efficiency(draft: Draft, made: Planetary, torques: Mapping[str, Mark]) -> Mark | None:

@@ -8,9 +8,9 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.trains.pairs import rows_of
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN
 from graphic_tmm.chapters.trains.record import BESIDE
+from graphic_tmm.chapters.trains.rows import rows_of
 from graphic_tmm.chapters.trains.task import PLANETARY_TRAIN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project

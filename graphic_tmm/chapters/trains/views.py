@@ -63,6 +63,7 @@ def _torques(drawn: Drawn) -> list[str]:
         return []
     beside, log = BESIDE.on(drawn), drawn.construction
     marks = [*beside.lost, *beside.torques.values(), beside.efficiency]
+    marks += [*beside.powers.values(), beside.circulates]
     shown = [one for one in marks if one is not None]
     return list(calculated_lines(log, drawn.reading, shown, drawn.scene.language))
 

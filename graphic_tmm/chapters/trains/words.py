@@ -25,8 +25,10 @@ CAPTIONS: dict[str, str] = {
     "planetary_omega": said("ω by Willis"),
     "planetary_omega_drawn": said("ω as drawn"),
     "planetary_n_2H": "n_{2H}",
-    **{f"planetary_M_{member}": f"M_{member}" for member in "1345H"},
+    **{f"planetary_M_{member}": f"M_{member}" for member in "01345H"},
+    **{f"planetary_N_{member}": f"N_{member}" for member in "0134H"},
     "planetary_efficiency": "η",
+    "planetary_circulating": "ν",
     "planetary-torques": said("Torques on the shafts"),
     "planetary_mesh_1": said("U^{H} of the first mesh"),
     "planetary_mesh_2": said("U^{H} of the second mesh"),
@@ -100,6 +102,10 @@ DISC = said(
 ZERO = said("On this line velocities begin: a point that stands still is on it.")
 KNOWN_VELOCITY = said(
     "The velocity of the driving point is known: it is square to the radius, to scale."
+)
+TRIAL = said(
+    "A velocity of any size is laid off, and beside it that which the closing wheels give the other member "
+    "then: the line of the satellites goes through both ends."
 )
 SATELLITE_LINE = said(
     "The satellite touches the wheel that stands still in C, where it has no velocity, so its velocities "

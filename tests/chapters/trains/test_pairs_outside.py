@@ -15,9 +15,9 @@ from support.scenes import calling
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.chapters.trains.motion import motion_of
-from graphic_tmm.chapters.trains.pairs import rows_of
 from graphic_tmm.chapters.trains.plan import PLANETARY_PLAN, draw_planetary
 from graphic_tmm.chapters.trains.record import BESIDE
+from graphic_tmm.chapters.trains.rows import rows_of
 from graphic_tmm.chapters.trains.task import ASKED, SCHEMES, PlanetaryTask
 from graphic_tmm.chapters.trains.task_sheet import scheme
 from graphic_tmm.errors import SceneError
