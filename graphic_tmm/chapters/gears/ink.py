@@ -61,7 +61,9 @@ class MeshInk:
         """The radius of the arc of α_w, mm; N1N2 may be far longer than the teeth of a ring are broad."""
         own = ANGLE * self.real(self.line.length)
         whole = abs(self.ends[1] - self.limits[0])
-        return ANGLE * whole if self.rack else min(own, whole) if self.ring else own
+        if self.rack:
+            return min(ANGLE * whole, abs(self.ends[1] - self.pole))
+        return min(own, whole) if self.ring else own
 
     def at(self, mark: Mark) -> complex:
         """Where a point stands."""

@@ -35,8 +35,10 @@ _TEETH = v.number(_COUNT)
 
 
 def _second(value: object, names: Names) -> int | str:
-    if value == RACK:
-        return RACK
+    if isinstance(value, str):
+        if value == RACK:
+            return RACK
+        raise ValueError(stands(value, said('a whole number is wanted, or "rack"')))
     if RING.holds(value):
         return int(value)  # type: ignore[call-overload,no-any-return]
     return int(_TEETH.read(value, names))

@@ -1,4 +1,4 @@
-"""A pair of gears at any angle of wheel 1: how far both have turned, and with a given speed how fast."""
+"""A pair of gears at any angle of wheel 1: how far both have turned or a rack has run; turns a minute."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ ANGLES = tuple(Mark(-1 - k, f"φ_{k}", Number, GEARS) for k in (1, 2))
 
 
 def quantities(project: Project) -> Iterator[TurnQuantity]:
-    """Yield the angles of both wheels, and their speeds, where that of wheel 1 is given (rpm, without sign)."""
+    """Yield the angles of the wheels, and their speeds, where that of wheel 1 is given (rpm, without sign)."""
     motion, gear = BESIDE.on(project).motion, GEARS_PLAN.on(project)
-    if gear.rack is not None:
-        yield TurnQuantity(GEARS, "columns", "s2", WAY)
     for k, mark in enumerate(ANGLES[: len(gear.wheels)], 1):
         yield TurnQuantity(GEARS, "columns", f"phi{k}", mark)
         if motion is not None:
             yield TurnQuantity(GEARS, "columns", f"n{k}", motion.turns[k - 1])
+    if gear.rack is not None:
+        yield TurnQuantity(GEARS, "columns", "s2", WAY)
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:

@@ -10,6 +10,8 @@ import shapely
 from support.gallery import SHEETS
 from support.turned import inside, laid, picture
 
+from graphic_tmm.page.turning import Shift
+
 HEAD = 'title = "T"\nlanguage = "en"\n[gears]\nm = "5 mm"\n'
 CASES = {
     "pair": str(SHEETS / "gear-pair"),
@@ -52,6 +54,29 @@ def test_a_pair_turns_by_its_teeth(tmp_path: Path, case: str, sense: int) -> Non
     for band, wheel in zip(bands, wheels, strict=True):
         flanks = laid(wheel, 77.0)
         assert laid(band, 77.0).distance(flanks) < NEAR
+
+
+@pytest.mark.parametrize("more", ["", "x1 = 0.4\n", 'beta = "20 deg"\nha = [1.0, 0.9]\n'])
+def test_a_rack_runs_on_and_its_flanks_touch(tmp_path: Path, more: str) -> None:
+    shown = picture(tmp_path, HEAD + f'z1 = 20\nz2 = "rack"\n{more}')
+    wheel, rack = max(shown.bodies, key=lambda one: one.copies), shown.bodies[2]
+    assert wheel.moves[0].angle == -1.0
+    (move,) = rack.moves
+    assert isinstance(move, Shift)
+    for turn in (0.0, 3.7, 11.0, 100.3, 251.9, 360.0):
+        one, other = inside(laid(wheel, turn)), laid(rack, turn)
+        left, right = other.bounds[0], other.bounds[2]
+        assert left < wheel.centre.real < right
+        joined = shapely.line_merge(shapely.set_precision(other, 1e-4))
+        assert joined.geom_type == "LineString", "the teeth go on in one line"
+        above = shapely.Polygon([*joined.coords, (right, 1e4), (left, 1e4)])
+        assert above.is_valid
+        assert one.intersection(above).buffer(-NEAR).area == 0.0, turn
+        assert shapely.dwithin(one.boundary, other, NEAR), turn
+    (_, way) = shown.values
+    assert way.course * 360.0 == pytest.approx(
+        np.pi * 20 * 5 / (np.cos(np.pi / 9) if "beta" in more else 1)
+    )
 
 
 def test_what_is_constructed_stands(tmp_path: Path) -> None:

@@ -246,6 +246,13 @@ def test_both_wheels_of_a_pair_turn_by_their_teeth(z2: int, share: float) -> Non
     np.testing.assert_allclose(found["n2"], abs(share) * found["n1"], rtol=1e-12)
 
 
+def test_a_rack_runs_on_with_its_wheel() -> None:
+    order = GearTask(20, "rack", 0.005, speed=10.0)
+    found = at([0.0, 36.0, -720.0], gears=order).columns
+    np.testing.assert_allclose(found["s2"], np.pi * 0.1 * np.array([0.0, 0.1, -2.0]), rtol=1e-12)
+    assert set(found) == {"phi1", "n1", "s2"}
+
+
 def test_compiled_a_cam_moves_the_same() -> None:
     pytest.importorskip("llvmlite")
     one, angles = read(SHEETS / "cam"), np.linspace(0.0, 720.0, 5001)
