@@ -1,4 +1,4 @@
-"""A pair of involute gears, spur or helical, in a ring or on a rack: dimensions, line of action, teeth, sliding.
+"""A pair of involute gears, spur, helical, in a ring or on a rack: dimensions, line of action, teeth, sliding.
 
 Dimensions follow from tooth numbers, module and shifts: inv α_w = inv α + 2·(x₁ + x₂)·tan α/(z₁ + z₂) (no
 play between flanks of shifted wheels), a_w = a·cos α/cos α_w, and the equalising shift Δy that keeps the
@@ -21,8 +21,8 @@ is there before the first one leaves (`contact`). Flanks slide on one another bu
 
 A helical pair is drawn in the section across its axes (`helical`). In a ring N₁ and N₂ lie on one side of P;
 `ring` asks whether wheel and ring miss one another. A rack is a wheel of infinite radius: its flanks are
-straight, N₂ is infinitely far (`driven_rack`). The distance of the axes or the sum of the shifts gives the shift
-that is missing (`shifts`). What does not work is told by checks. Where the speed of wheel 1 is given the
+straight, N₂ is infinitely far (`driven_rack`). The distance of the axes or the sum of the shifts gives the
+shift that is missing (`shifts`). What does not work is told by checks. Where the speed of wheel 1 is given the
 velocities of sliding are calculated (`record`).
 
 Beside the drawing are calculated the ratio, the arc of engagement, and how long each dimension is on the

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.operations.energetics import added, share
+from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.operations.formulas import pitch_radius
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Length, Number
@@ -27,9 +27,7 @@ from graphic_tmm.language.said import said
 SHIFT = said("The distance of the datum line is given: it tells the shift of the wheel.")
 LOWEST = said("The tips of the rack reach down to this point of the flank.")
 CLEAR = said("Between tips and roots there is what the distances from the axis leave.")
-ADDENDUM = said("The teeth of the rack reach so far from its datum line towards the wheel.")
 FROM_AXIS = said("Lines of the rack are told by their distances from the axis of the wheel.")
-TRAVEL = said("With each tooth the rack goes on by a pitch: so far in a turn of the wheel.")
 
 
 @formula(
@@ -39,6 +37,16 @@ TRAVEL = said("With each tooth the rack goes on by a pitch: so far in a turn of 
 )
 def datum_distance(r: Number, x: Number, m: Number) -> Number:
     """{r} + {x}·{m}"""
+
+
+@formula(why=said("The teeth of the rack reach so far from its datum line towards the wheel."))
+def addendum(ha: Number, m: Number) -> Number:
+    """{ha}·{m}"""
+
+
+@formula(why=said("With each tooth the rack goes on by a pitch: so far in a turn of the wheel."))
+def travel_in_a_turn(p: Number, z: Number) -> Number:
+    """{p}·{z}"""
 
 
 @formula(why=said("The teeth of a wheel have room in the rack, with the clearance."))
@@ -128,7 +136,7 @@ def calculate_rack(
 ) -> DrivenRack:  # fmt: skip
     """Calculate the rack; ``across``: in the drawn section its pitch, angle and the tip radius of the wheel."""
     pitch, alpha, top = across
-    h_a = draft.draw(share, "h_{a2}", normal.m, normal.ha[1], unit="m", why=ADDENDUM)
+    h_a = draft.draw(addendum, "h_{a2}", normal.ha[1], normal.m, unit="m")
     h_f = draft.draw(dedendum, "h_{f2}", normal.ha[0], normal.c, normal.m, unit="m")
     s = draft.draw(half_of_pitch, letter_of(order, "s", 2), pitch, unit="m")
     s_a = draft.draw(rack_tip_thickness, letter_of(order, "s_{a}", 2), s, h_a, alpha, unit="m")
@@ -139,5 +147,5 @@ def calculate_rack(
         )
     )  # fmt: skip
     clearance = draft.draw(less, "c_2", root, top, unit="m", why=CLEAR)
-    travel = draft.draw(share, "L", pitch, axes.z[0], unit="m", why=TRAVEL)
+    travel = draft.draw(travel_in_a_turn, "L", pitch, axes.z[0], unit="m")
     return DrivenRack(h_a, h_f, s, s_a, tip, root, straight, clearance, profile, travel)

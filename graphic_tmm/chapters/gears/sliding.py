@@ -128,7 +128,8 @@ def draw_sliding(
     mu = draft.scale("μ_{ϑ}", "1/mm")
     draft.lay_out()
     origin = draft.take(Point, "N_{1}", 0j)
-    base = draft.draw(ray, "(N_{1}N_{2})", origin, draft.direction(0.0), why=why.STATION)
+    name = "(N_{1}N_{2})" if sizes.rack is None else "(N_{1}b)"
+    base = draft.draw(ray, name, origin, draft.direction(0.0), why=why.STATION)
     reach = line.to_ends[line.ends[1]] if sizes.ring or sizes.rack else None
     ground = _Ground(base, line.length, tuple(wheel.z for wheel in sizes.wheels), reach)
     end = None

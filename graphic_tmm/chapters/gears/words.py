@@ -48,6 +48,8 @@ SYMBOLS = (
     ("x", said("shift coefficient"), ""),
     ("α_w", said("angle of engagement"), "°"),
     ("a_w", said("distance of the centres"), "m"),
+    ("H", said("distance of the datum line of a rack from the axis"), "m"),
+    ("L", said("travel of a rack in a turn of its wheel"), "m"),
     ("r_b", said("base radius"), "m"),
     ("ε_α", said("contact ratio"), ""),
 )
