@@ -149,6 +149,7 @@ class Names(NamedTuple):
     ``points``: names of points on the axis of ordinates that differ from those in the log.
     ``lengths``: figures of dimensions, by their marks: measured ordinates along the axis, the distance of a
     pole below the graph. ``levels``: limits; ``spans``: of the base; ``at``: its further named places.
+    ``closes``: whether its end is the first position once more.
     """
 
     positions: Sequence[str]
@@ -160,6 +161,7 @@ class Names(NamedTuple):
     levels: Sequence[Level] = ()
     spans: Sequence[Span] = ()
     at: Sequence[tuple[float, str]] = ()
+    closes: bool = True
 
 
 def draw_graph(
@@ -259,7 +261,7 @@ def _positions(graph: Graph, names: Names) -> tuple[list[Named], list[Named]]:
     if len(named) > row and named[row].text.isdigit():
         row += 1  # of a row that does not come back the last stands at the end
     whole = row and abs(named[row - 1].at - last.at) < TICK
-    return named[:row], named[row:] if whole else [last, *named[row:]]
+    return named[:row], named[row:] if whole or not names.closes else [last, *named[row:]]
 
 
 def _closing(first: str, named: Sequence[Named], graph: Graph) -> str:

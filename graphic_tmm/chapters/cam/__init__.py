@@ -35,6 +35,9 @@ path stands at R·φ and S, its tangent gives tan α = (dS/dφ)/R, so the least 
 (`drum`). A groove, of a drum or of a disc (`groove = true`), has a second flank on the other side of the
 roller; the sharpest bend of the path to either side bounds the roller then.
 
+A cam that slides (`form = "translating"`) is what such a development is: diagrams stand over its travel s,
+tan α = dS/ds, so rays from a pole at its length L to L·dS/ds give the least length (`drum`).
+
 Where the follower has a mass, inertia P over the turn and a line of the spring over the displacement follow:
 the steepest ray to the wanted force from the pole, as far before the lowest place as the spring is compressed
 there, gives its rate and its preload; force of contact and moment on the shaft are drawn over the turn

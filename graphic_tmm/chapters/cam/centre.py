@@ -194,11 +194,11 @@ def draw_limits(
     up: Mark,
     curves: Sequence[Mark],
     sense: int,
-) -> tuple[Mark, Mark]:
+) -> tuple[Mark, ...]:
     """Draw the tangents at the allowed pressure angles, to the curve of the rise and to that of the return."""
     found = []
     angles = limit_angles(draft, order)
-    for k, (phase, angle) in enumerate(zip(diagrams.turn.ways, angles, strict=True), 1):
+    for k, (phase, angle) in enumerate(zip(diagrams.turn.ways, angles, strict=False), 1):
         left = sense * phase.sign
         own = [
             draft.draw(touch_curve, f"(τ_{k})", curve, up, angle, sense=left, left=left)
@@ -209,7 +209,7 @@ def draw_limits(
         for other in own[1:]:
             line = draft.draw(outer_parallel, f"(τ_{k})", line, other, left=left)
         found.append(line)
-    return found[0], found[1]
+    return tuple(found)
 
 
 def _path(

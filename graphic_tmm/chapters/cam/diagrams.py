@@ -17,9 +17,11 @@ from graphic_tmm.board.operations.formulas import to_board, turn_per_mm
 from graphic_tmm.board.operations.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations.instruments import join, lay_off, measure_along, parallel, square
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Length, Number
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam import formulas_plate
 from graphic_tmm.chapters.cam import words as why
+from graphic_tmm.chapters.cam.course import along_base, slides, take_place
 from graphic_tmm.chapters.cam.integral import Integral, draw_integral, lay_integral
 from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws import laws
@@ -30,6 +32,8 @@ from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.cam.task_motion import BY_DIAGRAM
 
 VIEWS = {"S": "cam S", "V": "cam dS", "A": "cam ddS"}
+BY_TRAVEL = {"S": "cam S", "V": "cam slope", "A": "cam bend"}
+"""Of a cam that slides."""
 ROOM = 50.0
 """Room for the largest ordinate of d²S/dφ², mm."""
 
@@ -56,7 +60,8 @@ class Diagrams:
 
     ``angle``: the cam's angle of every position (Angle); ``steps``: that between two positions
     (Angle), ``phases`` the whole phase (Number, rad), ``strokes`` (Number), for each moving phase; ``stroke``
-    of them all (Number); ``integrals``: of the phases that are given by their acceleration diagram.
+    of them all (Number); ``integrals``: of the phases that are given by their acceleration diagram. Of a cam
+    that slides ``angle`` and ``phases`` are lengths of its ``travel`` (Number, m).
     """
 
     turn: Turn
@@ -70,6 +75,7 @@ class Diagrams:
     V: Diagram
     A: Diagram
     integrals: tuple[Integral, ...]
+    travel: Mark | None = None
 
     @property
     def stretches(self) -> tuple[tuple[Phase, int, int], ...]:
@@ -86,7 +92,7 @@ class _Common(NamedTuple):
     phases: tuple[Mark, ...]
     shares: tuple[tuple[Mark, ...], ...]
     integrals: tuple[Integral | None, ...]
-    start: Mark | None
+    ends: tuple[Mark | None, Mark | None]
 
 
 class _Lift(NamedTuple):
@@ -106,33 +112,47 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     draft.open(VIEWS["S"])
     letters = order.letters
     length = draft.take(Length, "L", order.base, "mm")
-    mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
-    angle = draft.take(Angle, "φ", np.array(turn.angles)[None, :], "°")
-    x = draft.draw(f.along_turn, "x_φ", angle, length)
-    base = Base(turn.positions, length, x, mu_phi, draft.direction(0.0))
-    unit = "rad" if order.rocks else "m"
+    travel = draft.take(Number, "L_c", turn.whole, "m") if order.slides else None
+    if travel is not None:
+        mu_phi = draft.draw(formulas_plate.scale_of_travel, "μ_s", travel, length, unit="m/mm")
+    else:
+        mu_phi = draft.draw(turn_per_mm, "μ_φ", length, unit="rad/mm")
+    base = Base(turn.positions, length, length, mu_phi, mu_phi)
+    angle = take_place(draft, base, "", np.array(turn.angles)[None, :])
+    x = along_base(draft, base, "x_s" if order.slides else "x_φ", angle)
+    base = base._replace(x=x, zero=draft.direction(0.0), closed=not order.slides)
+    unit = order.units["S"]
     stroke = draft.take(Number, "h", order.stroke, unit)
     mu_S, height = _scale_of_S(draft, order, stroke, unit)
-    extents, steps, phases, shares = _divided(draft, turn)
+    extents, steps, phases, shares = _divided(draft, turn, base, travel)
     whole = _Lift(stroke, height)
     lifts, start = (whole,) * len(turn.phases), None
     if order.phases:
         lifts = tuple(_lift(draft, phase, mu_S, unit) for phase in turn.phases)
         start = _level(draft, "s_0", turn.phases[0].ends[0], mu_S, unit)
-    common = _Common(order, turn, base, lifts, extents, phases, shares, (), start)
+    finish = start
+    if not turn.closed:
+        finish = _level(draft, "s_N", turn.phases[-1].ends[1], mu_S, unit)
+    common = _Common(order, turn, base, lifts, extents, phases, shares, (), (start, finish))
     integrals = _integrals(draft, common)
     common = common._replace(integrals=integrals)
+    views = BY_TRAVEL if order.slides else VIEWS
     mu_V = mu_S
-    if order.mu_V is not None:
-        draft.open(VIEWS["V"])
-        mu_V = draft.take(Number, f"μ_{{{letters['V']}}}", order.mu_V, f"{unit}/mm")
-    draft.open(VIEWS["A"])
-    mu_A = draft.scale(f"μ_{{{letters['A']}}}", f"{unit}/mm")
+    if order.mu_V is not None or order.slides:
+        draft.open(views["V"])
+        name = f"μ_{{{letters['V']}}}"
+        mu_V = (
+            draft.scale(name, "1/mm")
+            if order.slides
+            else draft.take(Number, name, order.mu_V, f"{unit}/mm")
+        )
+    draft.open(views["A"])
+    mu_A = draft.scale(f"μ_{{{letters['A']}}}", "(1/m)/mm" if order.slides else f"{unit}/mm")
     scales = (("S", mu_S), ("V", mu_V), ("A", mu_A))
-    S, V, A = (_diagram(draft, common, which, mu, unit) for which, mu in scales)
+    S, V, A = (_diagram(draft, common, which, mu, order.units[which]) for which, mu in scales)
     drawn = tuple(i for i in integrals if i is not None)
     strokes = tuple(lift.stroke for lift in lifts)
-    return Diagrams(turn, base, angle, stroke, steps, phases, strokes, S, V, A, drawn)
+    return Diagrams(turn, base, angle, stroke, steps, phases, strokes, S, V, A, drawn, travel)
 
 
 def _lift(draft: Draft, phase: Phase, mu: Mark, unit: str) -> _Lift:
@@ -160,15 +180,24 @@ def _scale_of_S(draft: Draft, order: CamTask, stroke: Mark, unit: str) -> tuple[
     return draft.draw(f.scale_of_stroke, scale, stroke, height, unit=f"{unit}/mm"), height
 
 
-def _divided(draft: Draft, turn: Turn) -> tuple[Any, ...]:
-    """Take the phases and their even division: extents, steps (Angle), radians, shares of every stretch."""
+def _divided(draft: Draft, turn: Turn, base: Base, travel: Mark | None) -> tuple[Any, ...]:
+    """Take the phases and their even division: extents, steps (Angle), radians, shares of every stretch.
+
+    Of a ``travel`` the lengths themselves stand for the radians.
+    """
     rows = []
     for phase in turn.phases:
         name = phase.number
-        extent = draft.take(Angle, f"φ_{name}", phase.extent, "°")
+        extent = take_place(draft, base, str(name), phase.extent)
         parts = draft.take(Number, f"N_{name}", float(phase.parts))
-        step = draft.draw(f.angle_of_part, f"Δφ_{name}", extent, parts, unit="°")
-        radians = draft.draw(f.radians_of, f"Φ_{name}", extent, unit="rad")
+        if travel is not None:
+            step = draft.draw(
+                formulas_plate.share_of_travel, f"Δ_{name}", extent, parts, travel, unit="°"
+            )
+            radians = extent
+        else:
+            step = draft.draw(f.angle_of_part, f"Δφ_{name}", extent, parts, unit="°")
+            radians = draft.draw(f.radians_of, f"Φ_{name}", extent, unit="rad")
         shares = []
         for ends in phase.stretches:
             k = np.arange(ends[0], ends[1] + 1)
@@ -192,9 +221,9 @@ def _integrals(draft: Draft, common: _Common) -> tuple[Integral | None, ...]:
 
 def _diagram(draft: Draft, common: _Common, which: str, mu: Mark, unit: str) -> Diagram:
     """Draw one diagram over the turn: both phases, the dwells between them, the readings."""
-    letter = common.order.letters[which]
-    draft.open(VIEWS[which])
-    axes = graphs.draw_axes(draft, VIEWS[which], common.base, mu)
+    letter, view = common.order.letters[which], (BY_TRAVEL if slides(common.base) else VIEWS)[which]
+    draft.open(view)
+    axes = graphs.draw_axes(draft, view, common.base, mu)
     points: list[Mark] = []
     for k, integral in enumerate(common.integrals):
         height = common.lifts[k].height
@@ -203,7 +232,7 @@ def _diagram(draft: Draft, common: _Common, which: str, mu: Mark, unit: str) -> 
             points += laws()[ground.of.law.name].points(draft, ground, which, height)
         else:
             points += lay_integral(draft, ground, integral, which, height)
-        draft.open(VIEWS[which])
+        draft.open(view)
     stretches = [ends for phase in common.turn.phases for ends in phase.stretches]
     curves: list[Mark] = []
     readings: list[Mark] = []
@@ -225,9 +254,9 @@ def _diagram(draft: Draft, common: _Common, which: str, mu: Mark, unit: str) -> 
         )
     _outline(draft, common, axes, points, which)
     merged = merge(draft, common.turn, readings, letter)
-    chosen = which == "A"
-    wanted = common.order.mu_A if chosen else None
-    chart = Chart(VIEWS[which], letter, unit, mu, tuple(readings), chosen, wanted, ROOM)
+    chosen = which == "A" or (which == "V" and slides(common.base))
+    wanted = common.order.mu_A if which == "A" else None
+    chart = Chart(view, letter, unit, mu, tuple(readings), chosen, wanted, ROOM)
     return Diagram(axes, chart, tuple(points), tuple(curves), tuple(readings), merged)
 
 
@@ -248,7 +277,7 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes, low: Mark | None)
 
     ``low``: how high above the base the phase stands (Length), if not on it.
     """
-    phase, length = common.turn.phases[k], common.base.length
+    phase, base = common.turn.phases[k], common.base
     ends = (phase.start, phase.start + phase.extent)
     draft.say(phase.name)
     feet = []
@@ -256,8 +285,7 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes, low: Mark | None)
         if angle == 0.0:
             feet.append(axes.origin)
             continue
-        at = draft.take(Angle, f"φ_{name}", angle, "°")
-        x = draft.draw(f.along_turn, f"x_{name}", at, length)
+        x = along_base(draft, base, f"x_{name}", take_place(draft, base, name, angle))
         feet.append(draft.draw(lay_off, name, axes.along, x, free=True, why=why.PHASE_FOOT))
     if low is None:
         near, far = feet
@@ -266,7 +294,7 @@ def _ground(draft: Draft, common: _Common, k: int, axes: Axes, low: Mark | None)
         near, far = (_over(draft, axes, foot, low) for foot in feet)
         inward = draft.draw(join, "(oe)", near, far, why=why.LEVEL)
     out = draft.draw(parallel, "(o)", near, axes.along, sense=-phase.sign)
-    whole = draft.draw(f.along_turn, "l", common.extents[k], length)
+    whole = along_base(draft, base, "l", common.extents[k])
     divisions = []
     for share in common.shares[k]:
         x = draft.draw(law.even_height, "x", share, whole)
@@ -293,8 +321,11 @@ def _outline(draft: Draft, common: _Common, axes: Axes, points: Sequence[Mark], 
     def end(spots: Mark, at: int) -> Mark:
         return draft.draw(phase_end, f"{spots.letter}_e", spots, at=at, free=True)
 
-    if common.start is not None and which == "S":
-        start, finish = (_over(draft, axes, foot, common.start) for foot in (start, finish))
+    if which == "S":
+        start, finish = (
+            foot if high is None else _over(draft, axes, foot, high)
+            for foot, high in zip((start, finish), common.ends, strict=True)
+        )
     late = which == "A" and turn.phases[0].start > 0.0
     feet = [end(axes.feet, 0)] if late else []
     draft.figure("outline", "start", start, *feet, end(points[0], 0))

@@ -9,7 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.cam import words_drum
+from graphic_tmm.chapters.cam import words_drum, words_plate
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower
 from graphic_tmm.chapters.cam.laws.table import FEW, ROUGH, table_of
 from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
@@ -32,6 +32,7 @@ FORCE = 5e-3
 
 _WORDS = {
     **words_drum.FINDINGS,
+    **words_plate.FINDINGS,
     "pressure": said(
         "the pressure angle reaches {value:.4g}° at φ = {angle:.4g}°, {limit:g}° are allowed: r0 = "
         "{r0:.4g} mm is too small, take {least:.4g} mm at least"
@@ -211,6 +212,11 @@ def cam_findings(reading: Reading, cam: Cam) -> tuple[CamFinding, ...]:
     )
     if not cam.order.developed:
         return found
+    if cam.order.slides:  # places of the cam are m
+        found = tuple(
+            one._replace(kind=f"plate {one.kind}", angle=1000.0 * one.angle) for one in found
+        )
+        return found
     return tuple(one._replace(kind=f"drum {one.kind}") for one in found)
 
 
@@ -306,8 +312,8 @@ def _roller(
     (sharpest,) = cam.curvature.extremes
     angle, rho = one(sharpest.angle), 1000.0 * one(sharpest.value)
     radius = 1000.0 * one(cam.roller.radius)
-    by_r0, by_rho = 1000.0 * one(cam.roller.by_r0), 1000.0 * one(cam.roller.by_curvature)
-    found = []
+    by_r0 = 1000.0 * one(cam.roller.by_r0) if cam.roller.by_r0 is not None else np.inf
+    by_rho, found = 1000.0 * one(cam.roller.by_curvature), []
     if radius > by_r0 * (1.0 + RULER):
         found.append(CamFinding("roller by r0", float("nan"), radius, by_r0, *sizes))
     if radius >= rho:

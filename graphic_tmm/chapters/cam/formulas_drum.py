@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.values import Angle, Length, Number
+from graphic_tmm.chapters.cam.words_drum import TURNING
 from graphic_tmm.language.said import said
 
 
@@ -19,12 +20,7 @@ def circumference(radius: Length) -> Length:
     """2·π·{radius}"""
 
 
-@formula(
-    why=said(
-        "On the development the normal turns as the tangent does, whose slope is dS/dφ over R: its derivative "
-        "by the angle, taken positive where the groove's lower flank is convex."
-    )
-)
+@formula(why=TURNING)
 def turning_of_tangent(a: Length, radius: Length, pace: Length) -> Number:
     """−{a}·{radius}/{pace}²"""
 

@@ -1,4 +1,4 @@
-"""A drum cam in ink: rays of the tangents with the mean radius, the development, the drum from its side."""
+"""A drum cam in ink: rays of the tangents, the development, the drum from its side; a cam that slides."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Complexes, Curve
 from graphic_tmm.chapters.cam.centre import Centre
-from graphic_tmm.chapters.cam.drum import DEVELOPMENT, VIEW, Drum
+from graphic_tmm.chapters.cam.drum import Drum
 from graphic_tmm.chapters.cam.ink import (
     GUIDE,
     PENS,
@@ -21,6 +21,7 @@ from graphic_tmm.chapters.cam.ink import (
     WIDTH,
     ProfileNames,
     inverted,
+    rod,
 )
 from graphic_tmm.chapters.cam.ink_centre import CentreNames
 from graphic_tmm.chapters.cam.ink_rules import OVER, CamInk, arrow_axis, between, numbered
@@ -33,20 +34,30 @@ from graphic_tmm.chapters.cam.ink_scheme import (
 from graphic_tmm.chapters.cam.plan import Cam
 from graphic_tmm.chapters.cam.profile import THEORETICAL
 from graphic_tmm.paper.axes import position_numbers
-from graphic_tmm.paper.drawing import Drawing, Ink, Label, Wanted, arc, circle, line
+from graphic_tmm.paper.drawing import (
+    Bezier,
+    Drawing,
+    Ink,
+    Label,
+    Wanted,
+    arc,
+    circle,
+    line,
+    shifted,
+)
 from graphic_tmm.paper.figure import added, body, figure, showing
 from graphic_tmm.paper.labels import Named
 from graphic_tmm.paper.mark_rules import curve, dotted, straight
 from graphic_tmm.paper.seen import Rule, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import dimension
-from graphic_tmm.paper.symbols.kinematic import arrowhead, channel
+from graphic_tmm.paper.symbols.kinematic import arrowhead, channel, guide
 
 DOT, ANGLE = 0.5, 20.0
 """Radius of a point; of the arc that shows an allowed pressure angle, mm."""
 BELOW, APART = 12.0, 9.0
 """How far below its base the first dimension of the radius stands, and one below the other, mm."""
-RIM = 6.0
-"""How far the drum goes on beside its groove, mm."""
+RIM, PLATE = 6.0, 14.0
+"""How far the drum goes on beside its groove, a plate below its profile, mm."""
 TANGENT = 20.0
 """How far the tangent of the steepest place goes on behind the roller, mm."""
 ARROW = 16.0
@@ -60,7 +71,7 @@ def draw_drum_radius_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
     made, drum = cam.centre, cam.path
     assert isinstance(made, Centre)
     assert isinstance(drum, Drum)
-    ink = CamInk(on, cam, VIEW)
+    ink = CamInk(on, cam, made.view)
     points = ink.all(made.points)
     centre, least = ink.fixed_place(made.centre), ink.fixed_place(made.least_centre)
     high, low = (float(f(points.imag, initial=0.0)) for f in (np.nanmax, np.nanmin))
@@ -94,7 +105,7 @@ def draw_drum_radius_ink(on: Subject, cam: Cam, names: CentreNames) -> Drawing:
         if letter:
             wanted.append(Wanted(letter, spot, size, 1.6, -1 + 1j, (mark.slot,)))
     wanted += numbered(ink, names.positions, made.points, points, np.ones_like(points))
-    for limit, mark, text in zip(made.limits, made.ends, names.limits, strict=True):
+    for limit, mark, text in zip(made.limits, made.ends, names.limits, strict=False):
         spot, way = ink.fixed_place(mark), ink.line(limit, 0)[1]
         if finite(spot, way):
             turn = math.degrees(cmath.phase(way))
@@ -112,7 +123,7 @@ def draw_development_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
     assert drum.base is not None
     assert drum.length is not None
     assert made.feet is not None
-    ink = CamInk(on, cam, DEVELOPMENT)
+    ink = CamInk(on, cam, made.view)
     points, feet = ink.all(_path(cam)), ink.all(made.feet)
     length, (low, high) = ink.fixed_number(drum.length), _rim(ink, cam)
     rules: dict[Mark, Rule] = {
@@ -127,7 +138,10 @@ def draw_development_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
     for contour in ink.figures("contour"):
         strokes += _rests(ink, contour, length)
     corners = [complex(x, y) for x, y in ((0, low), (length, low), (length, high), (0, high))]
-    strokes += body([line("thin", *corners, closed=True)], "drum", [drum.length])
+    if cam.order.slides:
+        strokes += _sides(ink, cam, length)
+    else:
+        strokes += body([line("thin", *corners, closed=True)], "drum", [drum.length])
     k = position_of(on.reading, cam)
     steepest, wanted = _steepest(ink, cam, k, names.pressure)
     strokes += steepest
@@ -146,17 +160,21 @@ def draw_development_ink(on: Subject, cam: Cam, names: ProfileNames) -> Drawing:
 
 
 def _path(cam: Cam) -> Mark:
-    """The centres of the roller."""
+    """The centres of the roller, or the points of the edge."""
     assert cam.profile.theoretical is not None
     return cam.profile.theoretical.points
 
 
 def _rim(ink: CamInk, cam: Cam) -> tuple[float, float]:
-    """How low and how high the drum reaches beside its groove, mm."""
-    assert cam.profile.roller is not None
-    radius = ink.fixed_number(cam.profile.roller)
-    points = ink.all(_path(cam)).imag
-    return -radius - RIM, float(np.nanmax(points, initial=0.0)) + radius + RIM
+    """How low and how high the drum reaches beside its groove, or a plate, mm."""
+    radius, points = _roller(ink, cam), ink.all(_path(cam)).imag
+    below = PLATE if cam.order.slides else RIM
+    return -radius - below, float(np.nanmax(points, initial=0.0)) + radius + RIM
+
+
+def _roller(ink: CamInk, cam: Cam) -> float:
+    """The radius of the roller, 0 of an edge, mm."""
+    return ink.fixed_number(cam.profile.roller) if cam.profile.roller is not None else 0.0
 
 
 def _gaps(ink: CamInk, contour: Figure, length: float) -> Iterator[tuple[Mark, complex, complex]]:
@@ -183,12 +201,43 @@ def _rests(ink: CamInk, contour: Figure, length: float) -> Iterator[Ink]:
             yield from body([line(PENS[contour.name], start, end)], "contour", [mark])
 
 
+def _sides(ink: CamInk, cam: Cam, length: float) -> Iterator[Ink]:
+    """The sides and the bottom of a plate, of one with a groove its top too."""
+    made, turn, (low, high) = cam.profile, cam.diagrams.turn, _rim(ink, cam)
+    start, *_, end = (complex(spot) for spot in ink.all(made.working.points))
+    if made.outer is not None:
+        start, end = 1j * high, complex(length, high)
+    # the follower may rest before its first position, and behind its last
+    start = complex(0.0, start.imag) if turn.angles[0] else start
+    end = complex(length, end.imag) if turn.angles[-1] < turn.whole else end
+    if finite(start, end):
+        spots = (start, complex(start.real, low), complex(end.real, low), end)
+        outline = line("main", *spots, closed=made.outer is not None)
+        yield from body([outline], "plate", [made.feet or made.guides])
+
+
+def plate(ink: CamInk, cam: Cam, length: float) -> Iterator[Ink]:
+    """Yield a cam that slides, where it begins: its contours, its sides."""
+    for contour in ink.figures("contour"):
+        pen = "thin" if contour.name == THEORETICAL else "main"
+        for mark in (one for one in contour.marks if one.kind is Curve):
+            runs = (tuple(map(complex, run)) for run in bezier(ink.reading[mark]))
+            yield from body((Bezier(pen, run, mark.name) for run in runs), "contour", [mark])
+        yield from (one._replace(pen=pen) for one in _rests(ink, contour, length))
+    yield from _sides(ink, cam, length)
+
+
+def ground(ink: CamInk, cam: Cam, left: float, right: float) -> Iterator[Ink]:
+    """Yield what a plate slides on, between two places."""
+    low = _rim(ink, cam)[0]
+    yield from added(guide(complex(left, low), complex(right, low)), "guide")
+
+
 def _steepest(ink: CamInk, cam: Cam, k: int, text: str) -> tuple[list[Ink], list[Wanted]]:
     """The tangent and the normal of the path where the pressure angle is largest, and that angle."""
     made = cam.profile
     spot, way = ink.line(made.normals, k)
-    assert made.roller is not None
-    radius = ink.fixed_number(made.roller)
+    radius = _roller(ink, cam)
     if not finite(spot, way):
         return [], []
     strokes, wanted = draw_pressure_angle(ink, k, 1 + 0j, (spot, 1j, radius), text)
@@ -202,7 +251,8 @@ def _steepest(ink: CamInk, cam: Cam, k: int, text: str) -> tuple[list[Ink], list
 def _letters(ink: CamInk, cam: Cam, names: ProfileNames) -> Iterator[Wanted]:
     """The radius of the roller."""
     made, small = cam.profile, ink.heights.number
-    assert made.roller is not None
+    if made.roller is None:
+        return
     radius = ink.fixed_number(made.roller)
     high = ink.all(_path(cam))[cam.diagrams.turn.rise.last]
     if finite(high):
@@ -211,48 +261,55 @@ def _letters(ink: CamInk, cam: Cam, names: ProfileNames) -> Iterator[Wanted]:
 
 
 def draw_drum_scheme_ink(on: Subject, cam: Cam, names: SchemeNames) -> Drawing:
-    """Return the drum from its side, the roller before it where the pressure angle of the rise is largest."""
-    ink, made, drum = CamInk(on, cam, DEVELOPMENT), cam.profile, cam.path
+    """Return the drum from its side, or the plate, the follower where the rise's pressure angle is largest."""
+    made, drum, slides = cam.profile, cam.path, cam.order.slides
     assert isinstance(drum, Drum)
     assert drum.length is not None
-    assert made.roller is not None
-    k = position_of(on.reading, cam)
+    ink, k = CamInk(on, cam, made.view), position_of(on.reading, cam)
     mark, length = _path(cam), ink.fixed_number(drum.length)
     at = complex(ink.all(mark)[k])
     low, high = _rim(ink, cam)
     mean, strokes = length / math.tau, list[Ink]()
     if not finite(at, complex(mean)):
-        return Drawing(NAME, on.title, (), shows=(DEVELOPMENT,))
-    half = mean
-    corners = (complex(-half, low), complex(half, low), complex(half, high), complex(-half, high))
-    strokes += body([line("main", *corners, closed=True)], "drum", [drum.length])
-    for contour in ink.figures("contour"):
-        pen = "thin" if contour.name == THEORETICAL else "main"
-        for one, places in _pieces(ink, contour, length):
-            for run in _seen_from_side(places, at.real, mean):
-                strokes += body([line(pen, *run)], "contour", [one])
-    axis = line("centre", complex(0, low - OVER), complex(0, high + ROD + OVER))
-    strokes += added([axis], "axis")
-    spot, radius = complex(0.0, at.imag), ink.fixed_number(made.roller)
-    pins: list[Ink] = [circle("main", spot, radius), circle("joint", spot, PIN)]
-    strokes += body(pins, "roller", [mark, made.roller], k)
-    top, wide = complex(0, high + ROD), 0.5 * WIDTH
-    foot = spot + 1j * radius
-    outline = line("body", foot - wide, foot + wide, top + wide, top - wide, closed=True)
-    guide = channel(complex(0, high + 0.5 * ROD), 90.0, GUIDE, width=WIDTH)
-    strokes += body([outline, *guide], "follower", [mark], k)
+        return Drawing(NAME, on.title, (), shows=(made.view,))
+    spot, radius, top, wide = complex(0.0, at.imag), _roller(ink, cam), high + ROD, 0.5 * WIDTH
+    left, right = (-at.real, length - at.real) if slides else (-mean, mean)
+    if slides:
+        strokes += [shifted(one, complex(left)) for one in plate(ink, cam, length)]
+        strokes += ground(ink, cam, left - OVER, right + OVER)
+        rods = rod(spot, radius, edge=made.roller is None, length=top - at.imag)
+        way = complex(left - ARROW - 2.0, low + 0.5 * PLATE)
+    else:
+        corners = (
+            complex(x, y) for x, y in ((left, low), (right, low), (right, high), (left, high))
+        )
+        strokes += body([line("main", *corners, closed=True)], "drum", [drum.length])
+        for contour in ink.figures("contour"):
+            pen = "thin" if contour.name == THEORETICAL else "main"
+            for one, places in _pieces(ink, contour, length):
+                for run in _seen_from_side(places, at.real, mean):
+                    strokes += body([line(pen, *run)], "contour", [one])
+        strokes += added([line("centre", 1j * (low - OVER), 1j * (top + OVER))], "axis")
+        foot, end = spot + 1j * radius, 1j * top
+        rods = [line("body", foot - wide, foot + wide, end + wide, end - wide, closed=True)]
+        rods += channel(1j * (high + 0.5 * ROD), 90.0, GUIDE, width=WIDTH)
+        way = complex(left, high + 0.5 * OVER)
+    if made.roller is not None:
+        pins: list[Ink] = [circle("main", spot, radius), circle("joint", spot, PIN)]
+        strokes += body(pins, "roller", [mark, made.roller], k)
+    strokes += body(rods, "follower", [mark], k)
     more, wanted = draw_pressure_angle(ink, k, 1 + 0j, (spot, 1j, radius), names.pressure)
-    way = complex(-half, high + 0.5 * OVER)
     strokes += added(
         [line("thin", way + ARROW, way), *arrowhead(way, -1 + 0j, pen="thin")], "sense"
     )
     wanted.append(Wanted(names.omega, way + 0.5 * ARROW, ink.heights.number, 0.5, 1j))
-    size = dimension(complex(0, low), complex(half, low), -BELOW, names.r0, ink.heights.number)
+    ends = (complex(left if slides else 0.0, low), complex(right, low))
+    size = dimension(*ends, -BELOW, names.r0, ink.heights.number)
     strokes += body(size.strokes, "dimension", [drum.length])
     label = size.label._replace(of=(drum.length.slot,))
     wanted.append(Wanted("B", spot, ink.heights.point, 2.0, -1 + 0j, (mark.slot,), k))
     return Drawing(
-        NAME, on.title, (*strokes, *more), (label,), shows=(DEVELOPMENT,), wanted=tuple(wanted)
+        NAME, on.title, (*strokes, *more), (label,), shows=(made.view,), wanted=tuple(wanted)
     )
 
 

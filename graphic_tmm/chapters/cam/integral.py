@@ -28,8 +28,9 @@ from graphic_tmm.board.operations.instruments import (
     square,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Length, Number, Reals
+from graphic_tmm.board.values import Length, Number, Reals
 from graphic_tmm.chapters.cam import formulas as f
+from graphic_tmm.chapters.cam.course import along_base, take_place
 from graphic_tmm.chapters.cam.laws import formulas as law
 from graphic_tmm.chapters.cam.laws.ground import Ground, uprights
 from graphic_tmm.chapters.cam.operations import in_turn
@@ -139,8 +140,8 @@ def _accelerations(
     corners = []
     factor = _accepted(draft, phase)
     for share, value in points:
-        at = draft.take(Angle, "φ_c", phase.start + share * phase.extent, "°")
-        x = draft.draw(f.along_turn, "x_c", at, base.length)
+        at = take_place(draft, base, "c", phase.start + share * phase.extent)
+        x = along_base(draft, base, "x_c", at)
         if factor is None or value >= 0.0:
             y = draft.take(Length, "y_c", value, "mm")
         else:
@@ -188,8 +189,8 @@ def _on_curves(draft: Draft, row: _Row, axes: Axes, points: Mark, end: Mark) -> 
     for first, last in row.phase.stretches:
         curve = draft.draw(graph_of_stretch, "(v–v)", points, first=first, last=last)
         own = (angles[first:last] + angles[first + 1 : last + 1]) / 2.0
-        at = draft.take(Angle, "φ_m", row.turn.over((first, last - 1), own), "°")
-        x = draft.draw(f.along_turn, "x_m", at, row.base.length)
+        at = take_place(draft, row.base, "m", row.turn.over((first, last - 1), own))
+        x = along_base(draft, row.base, "x_m", at)
         foot = draft.draw(lay_off, "m", axes.along, x, free=True)
         spots = draft.draw(erect, "w", curve, foot, free=True)
         middle = draft.draw(measure_along, "w", foot, spots, axes.up)

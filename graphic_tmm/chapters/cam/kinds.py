@@ -12,7 +12,7 @@ from graphic_tmm.scene.declare import Flaw, Said, key
 
 EDGE, FLAT_ROCKER = "knife edge", "flat rocker"
 """The follower without a roller; the lever with a flat face."""
-DISC, DRUM = "disc", "drum"
+DISC, DRUM, PLATE = "disc", "drum", "translating"
 """Forms of a cam."""
 ROCKING = ("rocker", FLAT_ROCKER)
 """Followers that swing through an angle."""
@@ -134,10 +134,15 @@ def flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
 
 
 def _groove_flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
-    """Yield what contradicts a drum, or a groove."""
-    drum = cam.form == DRUM
+    """Yield what contradicts a drum, a plate that slides, or a groove."""
+    drum, plate = cam.form == DRUM, cam.form == PLATE
     held = drum or cam.groove
-    rods = ("roller",) if drum else ("roller", "rocker")
+    rods = ("roller",) if drum or plate else ("roller", "rocker")
+    none = said("a cam that slides has none; leave it out")
+    angles = said(
+        "the lines of a table are angles: of a cam that slides give points of its acceleration diagram"
+    )
+    chosen = said("its scale is chosen here: leave it out")
     for wrong, name, says in (
         (held and cam.follower not in rods, "follower", said("a groove holds a roller: leave it out")),
         (held and cam.roller == 0.0, "roller", said("a groove has a roller; leave it out to have one chosen")),
@@ -148,7 +153,21 @@ def _groove_flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
          said("a drum is drawn as it passes its roller: leave it out")),
         (drum and cam.offset, "offset", said("a drum has none; leave it out")),
         (drum and cam.r0 is not None, "r0", said("a drum has its mean radius instead: write radius")),
-        (not drum and cam.radius is not None, "radius", said("a disc has its least radius instead: write r0")),
+        (plate and not held and cam.follower not in ("roller", EDGE), "follower",
+         said('over a cam that slides a rod is drawn with a "roller" or a "knife edge"')),
+        (plate and cam.lower_dwell and cam.fall is None, "lower_dwell",
+         said("it follows a fall: write fall, or [[cam.phase]] in the order that you want")),
+        *((plate and name in written, name, none)
+          for name in ("turns", "offset", "r0", "radius", "share_of_r0")),
+        *((plate and name in written, name, chosen) for name in ("mu_dS", "mu_ddS")),
+        (plate and cam.speed, "speed",
+         said("a cam that slides to and fro has no even speed: leave it out")),
+        (plate and (cam.mass or cam.inertia), "mass" if cam.mass else "inertia",
+         said("a spring is found over a cam that turns evenly: leave it out")),
+        *((plate and name in written, name, angles) for name in ("law_table", "return_table")),
+        (plate and any(one.law is not None and one.law.size for one in cam.phase), "phase", angles),
+        (not (drum or plate) and cam.radius is not None, "radius",
+         said("a disc has its least radius instead: write r0")),
     ):  # fmt: skip
         if wrong:
             yield Flaw(("cam", name), says)

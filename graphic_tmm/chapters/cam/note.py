@@ -9,15 +9,16 @@ from graphic_tmm.board.operations.formulas import to_board, total
 from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam import (
     formulas_drum,
+    formulas_plate,
     formulas_spring,
     words_drum,
+    words_plate,
     words_spring,
 )
 from graphic_tmm.chapters.cam import note_words as words
 from graphic_tmm.chapters.cam.centre import VIEW as CENTRE
 from graphic_tmm.chapters.cam.centre import Centre, Path
 from graphic_tmm.chapters.cam.diagrams import VIEWS
-from graphic_tmm.chapters.cam.drum import VIEW as DRUM
 from graphic_tmm.chapters.cam.drum import Drum
 from graphic_tmm.chapters.cam.findings import cam_findings
 from graphic_tmm.chapters.cam.ink_scheme import NAME as SCHEME
@@ -55,7 +56,7 @@ class CamPage(Page[Cam]):
     """A cam, worked a quarter of the rise behind its beginning: all of its motion is there."""
 
     letters = LETTERS
-    by_results = (words.RADIUS, words_drum.RADIUS)
+    by_results = (words.RADIUS, words_drum.RADIUS, words_plate.RADIUS)
 
     @cached_property
     def at(self) -> int:
@@ -72,13 +73,14 @@ class CamPage(Page[Cam]):
         """Yield what the limits of the cam come to; those that are passed are warnings."""
         yield from super().concludes()
         order = self.recorded.order
-        if "pressure_rise" in self.results:
+        if "pressure_return" in self.results:
             back = "pressure" if order.pressure_return is None else "pressure_return"
             limits = {"allowed": self.ordered("pressure", "°"), "behind": self.ordered(back, "°")}
             yield self.sentence(words.PRESSURE_KEPT, limits)
         if not cam_findings(self.drawn.reading, self.recorded):
             kept = words.ALL if self.recorded.roller is not None else words.EDGE
             kept = words_drum.ALL if order.developed else kept
+            kept = words_plate.KEPT if order.slides else kept
             yield self.sentence(words.FLAT if self.recorded.pressure is None else kept)
 
     def blocks(self) -> Iterator[Block]:
@@ -101,9 +103,11 @@ class CamPage(Page[Cam]):
         order, diagrams = self.recorded.order, self.recorded.diagrams
         if order.rocks:
             yield self.says(words.ROCKS)
-        yield self.says(words.BASE)
-        yield from self.formulas(VIEWS["S"], f.scale_of_stroke, to_board, f.angle_of_part)
-        yield self.says(words.RADIANS)
+        said = words_plate if order.slides else words
+        yield self.says(said.BASE)
+        steps = (formulas_plate.scale_of_travel, f.scale_of_stroke, to_board, f.angle_of_part)
+        yield from self.formulas(VIEWS["S"], *steps)
+        yield self.says(said.RADIANS)
         yield from self.formulas(VIEWS["S"], f.radians_of)
         yield from self.formulas(CALCULATED, f.radians_of)
         phases = diagrams.turn.phases
@@ -117,13 +121,13 @@ class CamPage(Page[Cam]):
             for which in ("A", "V", "S"):
                 at = integral.phase.first + max(1, integral.phase.parts // 4)
                 yield from self.view(integral.views[which], at=at)
-        for view in VIEWS.values():
-            yield from self.formulas(view, *RADII)
+        for one in (diagrams.S, diagrams.V, diagrams.A):
+            yield from self.formulas(one.axes.view, *RADII)
         yield from self.leads(self.figures("cam-diagrams"))
         lengths = {segment: self.cell(segment, mm=True) for segment in ("S", "dS", "ddS")}
         travel, speed, rate = map(self.cell, lengths)
         angle = self._angle()
-        yield self.says(words.READ, lengths, angle=angle, travel=travel, speed=speed, rate=rate)
+        yield self.says(said.READ, lengths, angle=angle, travel=travel, speed=speed, rate=rate)
 
     def _centres(self) -> Iterator[Block]:
         centre = self.recorded.centre
@@ -151,12 +155,13 @@ class CamPage(Page[Cam]):
         made = self.recorded
         yield self.head(words.LIMITS)
         if made.pressure is not None:
-            yield self.says(words.EXTREMES)
+            yield self.says((words_plate if made.order.slides else words).EXTREMES)
             for one in made.pressure.extremes:
                 yield from self.worked_out(one.angle, one.value)
         if isinstance(made.path, Drum):
-            yield self.says(words_drum.CURVATURE)
-            yield from self.formulas(DRUM, formulas_drum.turning_of_tangent, first=True)
+            yield self.says((words_plate if made.order.slides else words_drum).CURVATURE)
+            of = made.centre.view
+            yield from self.formulas(of, formulas_drum.turning_of_tangent, first=True)
             yield from self.formulas(CURVATURE, f.curvature_of_profile, first=True)
         elif isinstance(made.centre, Centre):
             yield self.says(words.CURVATURE)
@@ -191,7 +196,8 @@ class CamPage(Page[Cam]):
             return
         yield self.head(words.PROFILE)
         yield self.says(words.ALLOWED)
-        yield from self.worked_out(roller.by_r0, roller.by_curvature)
+        limits = (roller.by_r0, roller.by_curvature)
+        yield from self.worked_out(*(one for one in limits if one is not None))
         yield self.says(words.TAKEN, radius=roller.radius)
         yield from self.formulas(PROFILE, to_board)
         yield self.steps(words.REVERSED)

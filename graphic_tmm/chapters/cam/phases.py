@@ -96,15 +96,24 @@ class Phase(NamedTuple):
 
 
 class Turn(NamedTuple):
-    """The positions of a turn, their angles (degrees, from its beginning), the moving phases."""
+    """The positions of a turn, their angles (degrees, from its beginning), the moving phases.
+
+    Of a cam that slides its ``whole`` travel (m) is the turn, and angles are lengths of it.
+    """
 
     angles: tuple[float, ...]
     phases: tuple[Phase, ...]
+    whole: float = TURN
 
     @property
     def positions(self) -> int:
         """How many positions there are."""
         return len(self.angles)
+
+    @property
+    def closed(self) -> bool:
+        """Whether the follower ends where it began."""
+        return abs(self.phases[0].ends[0] - self.phases[-1].ends[1]) <= SLACK
 
     @property
     def rise(self) -> Phase:
@@ -117,9 +126,10 @@ class Turn(NamedTuple):
         return next(phase for phase in self.phases if phase.sign < 0)
 
     @property
-    def ways(self) -> tuple[Phase, Phase]:
+    def ways(self) -> tuple[Phase, ...]:
         """The first rise and the first return: the limits of either are those of all its kind."""
-        return (self.rise, self.fall)
+        firsts = {phase.sign: phase for phase in self.phases[::-1]}
+        return tuple(firsts[sign] for sign in (1, -1) if sign in firsts)
 
     def like(self, phase: Phase) -> Iterator[Phase]:
         """Yield all rises, or all returns."""
@@ -132,8 +142,8 @@ class Turn(NamedTuple):
     def rest(self, phase: Phase) -> float:
         """How long the follower rests behind a phase, degrees."""
         after = self.phases[(self.phases.index(phase) + 1) % len(self.phases)]
-        gap = (after.start - phase.start - phase.extent) % TURN
-        return gap if SAME < gap < TURN - SAME else 0.0
+        gap = (after.start - phase.start - phase.extent) % self.whole
+        return gap if SAME < gap < self.whole - SAME else 0.0
 
     @property
     def lowest(self) -> Phase:
@@ -172,7 +182,7 @@ def divide(order: CamTask) -> Turn:
             phases.append(made._replace(ends=ends, lone=not order.phases))
             angles += [start + angle * i / parts for i in range(parts + 1)][shared:]
         start += motion.angle
-    return Turn(tuple(angles), tuple(phases))
+    return Turn(tuple(angles), tuple(phases), order.whole)
 
 
 class _Division(NamedTuple):
@@ -207,7 +217,9 @@ def _division(order: CamTask, motion: Stage) -> _Division:
     law, extent = replace(motion.law, points=plain(motion.law.points)), motion.angle
     wanted = order.divisions
     if order.per_turn is not None:
-        wanted = max(int(bound_of(CamTask, "parts").least), round(order.per_turn * extent / TURN))
+        wanted = max(
+            int(bound_of(CamTask, "parts").least), round(order.per_turn * extent / order.whole)
+        )
     breaks, corners = _jumps(law), sorted({u for u, _ in law.points if SLACK < u < 1.0 - SLACK})
     for shares, most, least in ((corners or breaks, 2, 2), (breaks, 4, 1)):
         for parts in range(wanted, most * wanted + 1):
@@ -215,7 +227,7 @@ def _division(order: CamTask, motion: Stage) -> _Division:
             whole = all(abs(x - round(x)) <= parts * SLACK for x in at)
             if whole and min(b - a for a, b in pairwise(at)) > least - 0.5:
                 return _Division(parts, shares, law)
-    base = WHOLE * extent / TURN
+    base = WHOLE * extent / order.whole
     for parts in range(wanted, 4 * wanted + 1):
         if law.name == BY_DIAGRAM and (found := moved(law.points, parts, base)) is not None:
             points, shares = found

@@ -14,6 +14,7 @@ from graphic_tmm.chapters.cam.centre import Centre, Convexity, Path, draw_centre
 from graphic_tmm.chapters.cam.diagrams import Diagrams, draw_diagrams
 from graphic_tmm.chapters.cam.drum import (
     DEVELOPMENT,
+    SLIDING,
     Drum,
     draw_development,
     draw_drum_centre,
@@ -47,15 +48,19 @@ from graphic_tmm.chapters.cam.turn import (
 )
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import Sweep
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
 
 
 @dataclass(frozen=True)
 class RollerSize:
-    """The radius of the roller (Number, m): the limits by r0 and by the least curvature, the chosen one."""
+    """The radius of the roller (Number, m): the limits by r0 and by the least curvature, the chosen one.
 
-    by_r0: Mark
+    A cam that slides has none by r0.
+    """
+
+    by_r0: Mark | None
     by_curvature: Mark
     radius: Mark
 
@@ -112,7 +117,8 @@ def record(bench: Bench) -> Cam | None:
         order = replace(order, mu_l=standard_length(mu / share, 1.0))
     made = draw_cam(bench.draft, order)
     turn = made.diagrams.turn
-    bench.stand((str(k) for k in range(turn.positions)), turn.angles, 0)
+    sweep = Sweep("s", "m", 0.0, turn.whole, False, "s_{c}") if order.slides else None
+    bench.stand((str(k) for k in range(turn.positions)), turn.angles, 0, sweep)
     return made
 
 
@@ -176,8 +182,7 @@ def _draw_pair(draft: Draft, order: CamTask) -> Cam:
     roller = None if edge else _roller(draft, order, centre, curvature)
     radius = roller.radius if roller is not None else None
     if isinstance(path, Drum):
-        assert radius is not None
-        profile, path = draw_development(draft, diagrams, centre, path, radius)
+        profile, path = draw_development(draft, order, diagrams, centre, path, radius)
     else:
         profile = draw_profile(draft, diagrams, centre, path, radius, sense, groove=order.grooved)
     charts = (*charts, pressure.chart, curvature.chart)
@@ -231,17 +236,19 @@ def _refuse_triangle(order: CamTask) -> None:
 
 def _roller(draft: Draft, order: CamTask, centre: Centre, curvature: TurnDiagram) -> RollerSize:
     """Calculate how large the roller may be, by r0 and by the least curvature; choose."""
-    draft.open(DEVELOPMENT if order.developed else PROFILE)
-    shares = (order.share_of_r0, order.share_of_curvature)
+    draft.open(SLIDING if order.slides else DEVELOPMENT if order.developed else PROFILE)
+    rows = [("ρ", order.share_of_curvature, curvature.extremes[0].value)]
+    if not order.slides:
+        rows.insert(0, ("r", order.share_of_r0, centre.r0))
     limits = []
-    for name, share, whole in zip(
-        "rρ", shares, (centre.r0, curvature.extremes[0].value), strict=True
-    ):
+    for name, share, whole in rows:
         k = draft.take(Number, f"k_{name}", share)
         limits.append(draft.draw(f.allowed_share, f"[r]_{name}", k, whole, unit="m"))
     if order.roller is not None:
         chosen = draft.take(Number, "r", order.roller, "m")
     else:
-        lesser = draft.draw(f.lesser_radius, "[r]", *limits, unit="m")
+        lesser = limits[0]
+        if len(limits) > 1:
+            lesser = draft.draw(f.lesser_radius, "[r]", *limits, unit="m")
         chosen = draft.draw(f.whole_mm_below, "r", lesser, unit="m")
-    return RollerSize(limits[0], limits[1], chosen)
+    return RollerSize(None if order.slides else limits[0], limits[-1], chosen)

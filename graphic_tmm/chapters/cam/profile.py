@@ -251,4 +251,4 @@ def draw_contour(
         order.insert(order.index(curves[behind]) + 1, circle)
         levels.setdefault(high, circle)
     draft.figure("contour", name, *order)
-    return Contour(points, tuple(curves), levels[most], levels[0.0], -sense)
+    return Contour(points, tuple(curves), levels[most], levels.get(0.0, levels[most]), -sense)

@@ -27,9 +27,9 @@ VIEW = "cam-calculation"
 class Aside(NamedTuple):
     """Marks (Number).
 
-    ``along``: what a mm of the diagrams' base stands for, °/mm. ``dwells``: of those that there are, rad, by
-    the number of the phase. ``left``: what is left up to each limit (Angle, or Number, m), by the name of a
-    result. ``velocity`` and ``acceleration`` of the follower at all positions (m/s, m/s²; of a lever 1/s,
+    ``along``: what a mm of the diagrams' base stands for, °/mm (m/mm). ``dwells``: of those that there are,
+    rad, by the number of the phase. ``left``: what is left up to each limit (Angle, or Number, m), by the name
+    of a result. ``velocity`` and ``acceleration`` of the follower at all positions (m/s, m/s²; of a lever 1/s,
     1/s²); None of a cam without a speed. ``peaks``: the largest dS/dφ and d²S/dφ² in size of each phase, by the
     name of a result.
     """
@@ -49,8 +49,10 @@ def record_beside(bench: Bench) -> Aside:
     """Calculate what the drawing of a cam does not need."""
     cam, draft = CAM_PLAN.on(bench), bench.draft
     draft.open(VIEW)
-    along = draft.draw(f.degrees_per_mm, "μ_φ", cam.diagrams.base.length, unit="°/mm")
-    dwells = _dwells(draft, cam.order)
+    along, dwells = cam.diagrams.base.mu, dict[int, Mark]()
+    if not cam.order.slides:
+        along = draft.draw(f.degrees_per_mm, "μ_φ", cam.diagrams.base.length, unit="°/mm")
+        dwells = _dwells(draft, cam.order)
     left, motion = _left(draft, cam, cam.order), _motion(draft, cam, cam.order)
     return Aside(along, dwells, left, *motion, _peaks(draft, cam))
 
@@ -59,12 +61,12 @@ def _peaks(draft: Draft, cam: Cam) -> dict[str, Mark]:
     """Calculate the largest dS/dφ and d²S/dφ² of every phase by their laws: no position need stand there."""
     found, diagrams = {}, cam.diagrams
     letters = (cam.order.letters["V"], cam.order.letters["A"])
-    unit = "rad" if cam.order.rocks else "m"
+    units = (cam.order.units["V"], cam.order.units["A"])
     rows = zip(diagrams.turn.phases, diagrams.phases, diagrams.strokes, strict=True)
     for phase, extent, stroke in rows:
         ops = (f.peak_velocity, f.peak_acceleration)
-        for op, name, letter, factor in zip(
-            ops, ("dS", "ddS"), letters, _factors(phase), strict=True
+        for op, name, letter, factor, unit in zip(
+            ops, ("dS", "ddS"), letters, _factors(phase), units, strict=True
         ):
             own = draft.take(Number, f"k_{letter}", factor)
             largest = f"{letter}_{{max}}"
@@ -108,7 +110,7 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
     found = {}
     limits = (order.pressure, order.pressure_return or order.pressure)
     letters = ("[α]", "[α]" if limits[0] == limits[1] else "[α_f]")
-    rows = zip(letters, limits, cam.pressure.extremes, cam.diagrams.turn.ways, strict=True)
+    rows = zip(letters, limits, cam.pressure.extremes, cam.diagrams.turn.ways, strict=False)
     for letter, limit, extreme, phase in rows:
         allowed = draft.take(Angle, letter, limit, "°")
         found[f"left_{phase.name}"] = draft.draw(
@@ -125,7 +127,9 @@ def _left(draft: Draft, cam: Cam, order: CamTask) -> dict[str, Mark]:
         ("drum_radius" if order.developed else "r0", "Δr_{r}", cam.roller.by_r0),
         ("profile", "Δr_{ρ}", cam.roller.by_curvature),
     ):
-        found[f"left_roller_{name}"] = draft.draw(f.limit_left, letter, limit_of, radius, unit="m")
+        if limit_of is not None:
+            of = f"left_roller_{name}"
+            found[of] = draft.draw(f.limit_left, letter, limit_of, radius, unit="m")
     return found
 
 

@@ -145,19 +145,22 @@ def refuse(order: CamTask) -> None:
         Which says what to change, and by which key of a scene.
     """
     if order.phases:
-        refuse_phases(order.phases, rocks=order.rocks)
+        refuse_phases(order.phases, rocks=order.rocks, slides=order.slides)
     else:
         _refuse_turn(order)
     _refuse_sizes(order)
     for motion in order.stages:
         if motion.law is not None:
-            _refuse_law(keys_of_law(order, motion), motion.law, WHOLE * motion.angle / TURN)
+            _refuse_law(keys_of_law(order, motion), motion.law, WHOLE * motion.angle / order.whole)
             if motion.law.name == BY_TABLE and (says := _fault_of_table(order, motion)):
                 raise TaskError("cam", keys_of_law(order, motion)[1], says)
 
 
 def _refuse_turn(order: CamTask) -> None:
     """Refuse phases of the usual cam that do not make a turn."""
+    if order.slides:
+        _bounded("rise", order.rise)
+        return
     phases = (order.rise, order.upper_dwell, order.fall, order.lower_dwell)
     told = " + ".join(f"{angle:g}" for angle in phases)
     moving = sum(phases[:3])

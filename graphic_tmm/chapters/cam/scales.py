@@ -57,7 +57,7 @@ def choose(drawn: Drawn, ledger: Ledger) -> None:
     r0 = value_of(drawn, cam.r0)
     far, letter = r0 + value_of(drawn, cam.diagrams.stroke), "r_{max}"
     if order.developed:
-        far, letter = math.tau * r0, "2πR"
+        far, letter = (r0, "L") if order.slides else (math.tau * r0, "2πR")
     ledger.ruled(drawn, ScaleFactor(mu, letter, far, fixed=order.mu_l, lengths=True))
 
 

@@ -26,7 +26,6 @@ def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     made, reading = CAM_PLAN.on(drawn), drawn.reading
     rocks = made.order.rocks
     count = made.diagrams.turn.positions
-    motion = "rad" if rocks else "m"
     found = []
     for segment, diagram in (
         ("S", made.diagrams.S),
@@ -35,7 +34,7 @@ def cam_columns(drawn: Drawn) -> tuple[Column, ...]:
     ):
         mm, value = (reading.figure(diagram.reading, by) for by in (None, diagram.chart.mu))
         called = f"rocker cam {segment}" if rocks else ""
-        found.append(_column(segment, motion, value, count, mm, called))
+        found.append(_column(segment, diagram.chart.unit, value, count, mm, called))
     found += _moving(drawn, rocks, count)
     if isinstance(made.centre, Centre):
         found.append(_column("pressure", "°", reading.figure(made.centre.pressure), count))
@@ -90,16 +89,18 @@ def results(drawn: Drawn) -> Results:
 def cam_marks(made: Cam) -> Mapping[str, Mark]:
     """Return the marks of a cam's results by name."""
     radius = "drum_radius" if made.order.developed else "r0"
+    radius = "length" if made.order.slides else radius
     marks = {f"{radius}_min": made.least, radius: made.r0}
     if made.roller is not None:
+        if made.roller.by_r0 is not None:
+            marks[f"roller_by_{radius}"] = made.roller.by_r0
         marks |= {
-            f"roller_by_{radius}": made.roller.by_r0,
             "roller_by_curvature": made.roller.by_curvature,
             "roller": made.roller.radius,
         }
     if made.pressure is not None:
-        highest, lowest = made.pressure.extremes
-        marks |= {"pressure_rise": highest.value, "pressure_return": lowest.value}
+        rows = zip(made.diagrams.turn.ways, made.pressure.extremes, strict=True)
+        marks |= {f"pressure_{phase.name}": extreme.value for phase, extreme in rows}
     if made.contact is not None and made.face is not None:
         farthest, nearest = made.contact.extremes
         marks |= {"face_to": farthest.value, "face_from": nearest.value, "face_length": made.face}

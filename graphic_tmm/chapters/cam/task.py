@@ -12,6 +12,7 @@ from graphic_tmm.chapters.cam.kinds import (
     DRUM,
     FLAT_FACED,
     KEYS,
+    PLATE,
     ROCKING,
     FlatRockerFollower,
     Follower,
@@ -40,6 +41,7 @@ from graphic_tmm.chapters.cam.task_motion import (
     SHARES,
     STROKE,
     TABLE,
+    TURN,
     UNSAID,
     Law,
     Stage,
@@ -73,7 +75,8 @@ _UNITS = {
 
 def _rest(said: Said) -> float:
     moving = (said.rise or 0.0) + said.upper_dwell + (said.fall or 0.0)
-    return float(said.lower_dwell if said.lower_dwell is not None else 360.0 - moving)
+    rest = 0.0 if said.form == PLATE else TURN - moving
+    return float(said.lower_dwell if said.lower_dwell is not None else rest)
 
 
 def _rise_law(said: Said) -> Law:
@@ -138,7 +141,8 @@ _SHARE = v.number(v.SHARE)
 class CamTask:
     """A cam: the law of motion, the follower, limits, sizes of the drawing.
 
-    Angles in degrees; other quantities in SI, drawn lengths in mm.
+    Angles in degrees; other quantities in SI, drawn lengths in mm. Of a translating cam its travel stands for
+    the angle: phases are lengths (m), with or without a fall.
 
     ``stroke`` h: m, or rad for a rocking roller. The four phases sum to 360°; ``phases`` stand instead
     of them (and their laws) where there are several lifts. ``pressure``: the largest
@@ -242,8 +246,9 @@ class CamTask:
         lambda said: 0.0 if said.follower in FLAT_FACED else said.least_curvature, 0.0
     )
     form: str = key(
-        v.choice(DISC, DRUM),
-        "a disc, or a drum with a groove for a roller whose rod moves along its axis",
+        v.choice(DISC, DRUM, PLATE),
+        "a disc, a drum with a groove for a roller whose rod moves along its axis, or a plate that slides: "
+        "its phases are lengths of its travel, and may end with the rise",
         DRUM,
         DISC,
     )
@@ -296,12 +301,22 @@ class CamTask:
     @property
     def developed(self) -> bool:
         """Whether the cam is drawn developed."""
-        return self.form == DRUM
+        return self.form in (DRUM, PLATE)
+
+    @property
+    def slides(self) -> bool:
+        """Whether the cam is a plate that slides."""
+        return self.form == PLATE
+
+    @property
+    def whole(self) -> float:
+        """A turn, degrees, or the travel of a cam that slides, m."""
+        return sum(one.angle for one in self.stages) if self.slides else TURN
 
     @property
     def grooved(self) -> bool:
         """Whether both sides of the roller are held."""
-        return self.groove or self.developed
+        return self.groove or self.form == DRUM
 
     @property
     def rocks(self) -> bool:
@@ -318,8 +333,11 @@ class CamTask:
     @property
     def stages(self) -> tuple[Stage, ...]:
         """The phases of the turn in order; of the usual cam four, dwells that are none among them."""
+        rise = Stage(rise=self.rise, stroke=self.stroke, law=self.rise_law)
+        if self.slides and not self.phases and not self.fall:
+            return rise, Stage(dwell=self.upper_dwell)
         return self.phases or (
-            Stage(rise=self.rise, stroke=self.stroke, law=self.rise_law),
+            rise,
             Stage(dwell=self.upper_dwell),
             Stage(fall=self.fall, stroke=self.stroke, law=self.return_law),
             Stage(dwell=self.lower_dwell),
@@ -330,6 +348,12 @@ class CamTask:
         """The letters of the follower's displacement and its derivatives: S, or ψ where it rocks."""
         letter = "ψ" if self.rocks else "S"
         return {"S": letter, "V": f"{letter}′", "A": f"{letter}″"}
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Their units: a derivative by a travel is a slope."""
+        unit = "rad" if self.rocks else "m"
+        return {"S": unit} | ({"V": "", "A": "1/m"} if self.slides else {"V": unit, "A": unit})
 
 
 ASKED: SectionKey[CamTask] = SectionKey("cam")

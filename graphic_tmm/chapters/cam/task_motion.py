@@ -10,6 +10,7 @@ from pkgutil import resolve_name
 from typing import Any
 
 from graphic_tmm.board.bounds import POSITIVE, Bound, TaskError
+from graphic_tmm.chapters.cam.kinds import PLATE
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
@@ -158,8 +159,23 @@ SHARES = Kind(_shares, {"type": "array"})
 STROKE = Kind(_stroke, v.SCALE, POSITIVE, "length, or angle")
 POINTS = Kind(_points, {"type": "array"})
 TABLE = Kind(_table, {"type": "array"})
-MOVING = v.number(Bound(0, 360, above=True, below=True), "angle")
-DWELL = v.number(Bound(0, 360, below=True), "angle")
+
+
+def _extent(bound: Bound) -> Kind:
+    """Return the kind of a phase: its angle (degrees), or its length on a cam that slides (m)."""
+    angle = v.number(bound, "angle")
+
+    def read(value: object, names: Names) -> Any:
+        if quantities.is_a(value, "length") and bound.holds(
+            long := quantities.parse(value, "length")
+        ):
+            return long
+        return angle.read(value, names)
+
+    return replace(angle, read=read, unit="length, or angle")
+
+
+MOVING, DWELL = _extent(Bound(0, 360, above=True, below=True)), _extent(Bound(0, 360, below=True))
 LAW = v.choice_of(_words)
 """Values of the keys of a cam."""
 
@@ -248,11 +264,19 @@ def stroke_faults(
         if cam.phase and name in told:
             says = said("the phases of [[cam.phase]] tell it: leave it out")
             yield Flaw(("cam", name), says)
-        elif not cam.phase and name not in told:
+        elif not cam.phase and name not in told and (name != "fall" or cam.form != PLATE):
             yield Flaw(("cam", name), missing_key(name, keys[name]))
     sections: dict[Path, Any] = {("cam",): told}
     sections |= {("cam", "phase", k): one for k, one in enumerate(told.get("phase", ()))}
     for path, one in sections.items():
+        for name in ("rise", "upper_dwell", "dwell", "fall", "lower_dwell"):
+            if name in one and quantities.is_a(one[name], "length") != (cam.form == PLATE):
+                wants = (
+                    said('of a cam that slides it is a length; write, for example, "60 mm"')
+                    if cam.form == PLATE
+                    else said('of a cam that turns it is an angle; write, for example, "60 deg"')
+                )
+                yield Flaw((*path, name), wants)
         rows = {name: [high for _, high in one[name]] for name in TABLES if name in one}
         rows |= {"stroke": [one["stroke"]]} if "stroke" in one else {}
         for name, highs in rows.items():
@@ -269,7 +293,7 @@ def stroke_faults(
                 yield Flaw((*path, name), WRONG_WAY[way])
 
 
-def refuse_phases(phases: Sequence[Stage], *, rocks: bool) -> None:
+def refuse_phases(phases: Sequence[Stage], *, rocks: bool, slides: bool = False) -> None:
     """Refuse phases that are none, do not make a turn, or do not come back to where they began.
 
     Raises
@@ -293,7 +317,7 @@ def refuse_phases(phases: Sequence[Stage], *, rocks: bool) -> None:
         sum(one.angle for one in phases),
         *(sum(one.stroke or 0.0 for one in phases if one.sign == sign) for sign in (1, -1)),
     )
-    if abs(turn - TURN) > SAME:
+    if not slides and abs(turn - TURN) > SAME:
         says = said(
             "the phases make {sum:g}°, not 360°: {way} them by {rest:g}°",
             sum=turn, way=said("lengthen") if turn < TURN else said("shorten"), rest=abs(TURN - turn),
@@ -301,7 +325,7 @@ def refuse_phases(phases: Sequence[Stage], *, rocks: bool) -> None:
         raise TaskError("cam", "phase", says)
     if not rises + falls:
         raise TaskError("cam", "phase", said("the follower rises nowhere: write a phase with rise"))
-    if abs(rises - falls) > SAME * max(rises, falls):
+    if not slides and abs(rises - falls) > SAME * max(rises, falls):
         says = said(
             "over a turn the follower rises by {rises} and falls by {falls}: it has to come back to where "
             "it began, so change a stroke by {rest}",

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterator
 from itertools import accumulate, pairwise
 
-from graphic_tmm.chapters.cam import words_drum
+from graphic_tmm.chapters.cam import words_drum, words_plate
 from graphic_tmm.chapters.cam.kinds import FlatRockerFollower, RollerFollower
 from graphic_tmm.chapters.cam.task import (
     ASKED,
@@ -46,7 +46,8 @@ def given(scene: Scene) -> Iterator[Given]:
         yield _stroke("", order.stroke, rocks)
     for number, stage in enumerate(order.stages, 1):
         if stage.angle:
-            yield Given(f"φ_{number}", stage.angle, "°")
+            letter, of = ("s", SIZE) if order.slides else ("φ", "°")
+            yield Given(f"{letter}_{number}", stage.angle, of)
         if stage.sign and order.phases:
             yield _stroke(f"_{number}", stage.stroke or 0.0, rocks)
     if order.speed is not None:
@@ -97,7 +98,11 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
     else:
         kind = _ROCKER if isinstance(follower, RockerFollower) else _FLAT
         kind = _FLAT_ROCKER if isinstance(follower, FlatRockerFollower) else kind
-    yield speaking(language)(words_drum.STATED if order.developed else kind)
+    if order.slides:
+        kind = words_plate.KINDS[getattr(follower, "edge", False)]
+    elif order.developed:
+        kind = words_drum.STATED
+    yield speaking(language)(kind)
     if order.groove:
         yield speaking(language)(words_drum.GROOVE)
 
@@ -144,8 +149,8 @@ def _follower(order: CamTask) -> Iterator[Given]:
 
 
 LETTERS_SIZE = HEIGHTS["A4"].point
-TURN, WIDEST, BESIDE = 360.0, 130.0, 26.0
-"""A turn, degrees; how wide it is drawn at most; what stands beside it, mm."""
+WIDEST, BESIDE = 130.0, 26.0
+"""How wide a turn is drawn at most; what stands beside it, mm."""
 HIGH, OVER = 26.0, 9.0
 """How high the stroke is drawn, how far axes go on, mm."""
 ROWS = (8.0, 16.0)
@@ -171,7 +176,7 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
     for one in _sizes(order, wide):
         strokes += added(one.strokes, "dimension")
         labels.append(one.label)
-    letters = ("ψ" if order.rocks else "S", "φ")
+    letters = ("ψ" if order.rocks else "S", "s_{c}" if order.slides else "φ")
     wanted = (
         Wanted(letters[0], tips[1][0], LETTERS_SIZE, 1.0, -1 + 0j),
         Wanted(letters[1], tips[0][0], LETTERS_SIZE, 1.0, 1j),
@@ -183,7 +188,7 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
 
 def _ends(order: CamTask, wide: float) -> list[float]:
     """Return where the phases begin and end, mm."""
-    return [0.0, *(wide * angle / TURN for angle in accumulate(one.angle for one in order.stages))]
+    return [0.0, *(wide * at / order.whole for at in accumulate(one.angle for one in order.stages))]
 
 
 def _lines(order: CamTask, wide: float) -> Iterator[Ink]:
@@ -206,7 +211,8 @@ def _sizes(order: CamTask, wide: float) -> Iterator[Dimension]:
             continue
         narrow = end - start < 4.0 * ARROW
         below = -ROWS[1 if narrow else 0]
-        yield dimension(complex(start), complex(end), below, f"φ_{{{number}}}", LETTERS_SIZE)
+        text = f"{'s' if order.slides else 'φ'}_{{{number}}}"
+        yield dimension(complex(start), complex(end), below, text, LETTERS_SIZE)
     letter = "β" if order.rocks else "h"
     yield dimension(0j, 1j * HIGH, OVER, letter, LETTERS_SIZE)
 
@@ -218,9 +224,9 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
         return
     _ = speaking(language)
     flat = isinstance(order.follower, FlatFollower | FlatRockerFollower)
-    yield _(_DIAGRAMS)
+    yield _(words_plate.DIAGRAMS if order.slides else _DIAGRAMS)
     if order.developed:
-        yield from (_(one) for one in words_drum.ASKS)
+        yield from (_(one) for one in (words_plate if order.slides else words_drum).ASKS)
         return
     yield _(_CONVEX if flat else _RADIUS)
     edge = isinstance(order.follower, RollerFollower) and order.follower.edge
@@ -245,7 +251,10 @@ def listed(scene: Scene, language: str) -> Iterator[Listed]:
         if stage.law.name == BY_TABLE:
             yield _table_of(order, stage, f"law-{name}", k, language)
             continue
-        heads = ("φ/φ_{0}", *(given_figure(share, language) for share, _ in stage.law.points))
+        heads = (
+            "s/s_{0}" if order.slides else "φ/φ_{0}",
+            *(given_figure(share, language) for share, _ in stage.law.points),
+        )
         row = ("a", *(given_figure(size, language) for _, size in stage.law.points))
         yield Listed(f"law-{name}", title, heads, (row,))
 

@@ -24,6 +24,7 @@ from graphic_tmm.chapters.cam import formulas as f
 from graphic_tmm.chapters.cam import formulas_drum
 from graphic_tmm.chapters.cam import words as why
 from graphic_tmm.chapters.cam.centre import Centre, Convexity
+from graphic_tmm.chapters.cam.course import read_place
 from graphic_tmm.chapters.cam.diagrams import Diagrams
 from graphic_tmm.chapters.cam.flat_rocker import FaceRegion
 from graphic_tmm.chapters.cam.operations import (
@@ -273,5 +274,4 @@ def _top(draft: Draft, curves: Sequence[Mark], above: int) -> Mark:
 def _placed(draft: Draft, axes: Axes, point: Mark) -> tuple[Mark, Mark, Mark]:
     y = draft.draw(measure_along, "y_k", axes.origin, point, axes.up, why=why.EXTREME_READ)
     x = draft.draw(measure_along, "x_k", axes.origin, point, axes.along, why=why.EXTREME_READ)
-    angle = draft.draw(f.angle_of_turn, "φ_k", x, axes.base.length, unit="°")
-    return point, y, angle
+    return point, y, read_place(draft, axes.base, x)

@@ -52,7 +52,10 @@ def between(drawn: Drawn, turn: Turn) -> Between:
     """
     diagrams = CAM_PLAN.on(drawn).diagrams
     assert turn.angles is not None
-    phi = np.mod(turn.angles, TURN)
+    phi, whole = np.mod(turn.angles, TURN), diagrams.turn.whole
+    if diagrams.travel is not None:
+        beside = (turn.angles < -ENDS) | (turn.angles > whole + ENDS)
+        phi = np.where(beside, np.nan, np.clip(turn.angles, 0.0, whole))
     inside = [_inside(diagrams, first, last, phi) for _, first, last in diagrams.stretches]
     known: dict[Mark, Any] = {diagrams.angle: phi}
     rows = zip(_numbers(drawn), diagrams.stretches, inside, strict=True)
@@ -94,6 +97,9 @@ def _levels(drawn: Drawn, diagrams: Diagrams, phi: Reals) -> Reals:
         for mark, last in zip(diagrams.S.readings, lasts, strict=True)
     ]
     level = heights[-1]
+    if not diagrams.turn.closed:
+        first = diagrams.stretches[0][1]
+        level = drawn.numbers.drawn[diagrams.S.readings[0]][:, first : first + 1]
     for last, height in zip(lasts, heights, strict=True):
         level = np.where(phi >= diagrams.turn.angles[last], height, level)
     return np.asarray(level)

@@ -9,7 +9,6 @@ from itertools import accumulate
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.cam.centre import Centre, Convexity
-from graphic_tmm.chapters.cam.diagrams import VIEWS
 from graphic_tmm.chapters.cam.drum import Drum
 from graphic_tmm.chapters.cam.flat_rocker import FaceLever
 from graphic_tmm.chapters.cam.ink import ProfileNames, draw_profile_ink
@@ -28,6 +27,7 @@ from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.rocker import Lever
 from graphic_tmm.chapters.cam.table import PLAN, cam_columns, cam_marks
+from graphic_tmm.chapters.cam.task import CamTask
 from graphic_tmm.chapters.cam.turn import CURVATURE
 from graphic_tmm.drawn import Drawn, results_of, single
 from graphic_tmm.fitting.subjects import subject, with_caption
@@ -70,6 +70,8 @@ def scheme_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     told = SchemeNames(_steepest(drawn, made), f"{_radius(made)} = {_mm(drawn, made.r0)}")
     on = subject(drawn, captions(language)["cam scheme"], PLAN)
     draw = draw_drum_scheme_ink if made.order.developed else draw_scheme_ink
+    if made.order.slides:
+        told = told._replace(omega="s_{c}")
     view = draw(on, made, told)
     return [with_caption(view, on, lettered, _lengths(drawn, made))]
 
@@ -87,6 +89,7 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
     language, log, reading = drawn.scene.language, drawn.construction, drawn.reading
     words = captions(language)
     charts = {chart.view: chart for chart in made.charts}
+    motion = [one.axes.view for one in (made.diagrams.S, made.diagrams.V, made.diagrams.A)]
     first: list[Drawing] = []
     second: list[Drawing] = []
     third: list[Drawing] = []
@@ -100,17 +103,18 @@ def _diagrams(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> 
         told = Names(
             names,
             on_axis(symbol, unit(of, language)),
-            on_axis("φ", "°"),
+            on_axis("s_{c}", unit("mm", language)) if made.order.slides else on_axis("φ", "°"),
             lengths=pole_figures(log, reading, view, language),
             levels=_limits(drawn, made) if view in LIMITED else (),
             spans=_phases(drawn, made) if view == "cam S" else (),
             at=() if view == "cam S" else _bounds(drawn, made),
+            closes=not made.order.slides,
         )
         graph = draw_graph(on, view, reading.positions, told, DIAGRAM_RULES)
         shown = with_caption(graph, on, lettered, _scale(drawn, made, view))
         forces = made.spring is not None and view in {one.view for one in made.spring.charts}
         stack = third if forces else second
-        (first if view in ("cam S", "cam dS", "cam ddS") else stack).append(shown)
+        (first if view in motion else stack).append(shown)
     stacks = {"cam-diagrams": first, "cam-limits": second, "cam-spring": third}
     if made.spring is not None:
         # a lead of one's own may make it far wider than what it would stand below
@@ -156,19 +160,28 @@ def _limits(drawn: Drawn, made: Cam) -> list[Level]:
     return [
         Level(sign * angle / scale, f"{minus}[α] = {minus}{number(angle, language)}°")
         for sign, minus, angle in ((1, "", order.pressure), (-1, "−", back))
+        if sign in {phase.sign for phase in made.diagrams.turn.phases}
     ]
 
 
 def _phases(drawn: Drawn, made: Cam) -> list[Span]:
     """Return the phases of the turn with their angles."""
     order, whole = made.order, drawn.value(made.diagrams.base.length)
-    found, at = [], 0.0
+    found, at, letter = [], 0.0, "s" if order.slides else "φ"
     for k, angle in enumerate((stage.angle for stage in order.stages), 1):
-        ends = (at * whole / 360.0, (at + angle) * whole / 360.0)
+        ends = (at * whole / order.whole, (at + angle) * whole / order.whole)
         if angle > 0.0:
-            found.append(Span(*ends, f"φ_{{{k}}} = {number(angle, drawn.scene.language)}°"))
+            found.append(Span(*ends, f"{letter}_{{{k}}} = {_place(drawn, order, angle)}"))
         at += angle
     return found
+
+
+def _place(drawn: Drawn, order: CamTask, at: float) -> str:
+    """Return a place of the cam: degrees, or m, in mm."""
+    language = drawn.scene.language
+    if order.slides:
+        return f"{number(1000.0 * at, language)} {unit('mm', language)}"
+    return f"{number(at, language)}°"
 
 
 def _bounds(drawn: Drawn, made: Cam) -> list[tuple[float, str]]:
@@ -176,7 +189,7 @@ def _bounds(drawn: Drawn, made: Cam) -> list[tuple[float, str]]:
     order, whole = made.order, drawn.value(made.diagrams.base.length)
     phases = (stage.angle for stage in order.stages)
     angles = dict.fromkeys(round(angle, 9) for angle in accumulate(phases))
-    return [(angle * whole / 360.0, f"{number(angle, drawn.scene.language)}°") for angle in angles]
+    return [(at * whole / order.whole, _place(drawn, order, at)) for at in angles]
 
 
 def _title(view: str, language: str) -> str:
@@ -191,7 +204,7 @@ def _scale(drawn: Drawn, made: Cam, view: str) -> str:
     base = mu_text(Scale(along.name, drawn.value(along), along.unit), language)
     if scale is None:
         return base
-    if view == VIEWS["V"]:
+    if view == made.diagrams.V.axes.view:
         # of a quantity of its own, though it may be the same number as that of S
         scale = scale._replace(symbol=f"μ_{{{made.order.letters['V']}}}")
     return f"{mu_text(scale, language)}, {base}"
@@ -210,8 +223,12 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
     told = CentreNames(
         names,
         f"S, {metre}",
-        f"d^2S/dφ^2, {metre}" if flat else f"dS/dφ, {metre}",
-        f"{'R_{min}' if made.order.developed else 'r_{0min}'} = {_mm(drawn, made.least)}",
+        f"d^2S/dφ^2, {metre}"
+        if flat
+        else f"L·dS/ds_{{c}}, {metre}"
+        if made.order.slides
+        else f"dS/dφ, {metre}",
+        f"{radius.rstrip('{0}_')}_{{{'min' if made.order.developed else '0min'}}} = {_mm(drawn, made.least)}",
         f"{radius} = {_mm(drawn, made.r0)}",
         (f"{number(limits[0], language)}°", f"{number(limits[1], language)}°"),
         _offset(drawn, made),
@@ -227,7 +244,7 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
 
 
 def _radius(made: Cam) -> str:
-    return "R" if made.order.developed else "r_{0}"
+    return "L" if made.order.slides else "R" if made.order.developed else "r_{0}"
 
 
 def _offset(drawn: Drawn, made: Cam) -> str:
@@ -254,7 +271,8 @@ def _profile(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> D
     )  # fmt: skip
     if isinstance(made.path, Drum) and made.path.length is not None:
         length = math.tau * 1000.0 * drawn.value(made.r0)
-        told = told._replace(length=f"2πR = {fixed(length, 1, language)} {unit('mm', language)}")
+        text = f"2πR = {fixed(length, 1, language)} {unit('mm', language)}"
+        told = told._replace(length=r0 if made.order.slides else text)
     on = subject(drawn, words[made.profile.view], PLAN)
     draw = draw_development_ink if made.order.developed else draw_profile_ink
     view = draw(on, made, told)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-from graphic_tmm.chapters.cam import words_drum, words_spring
+from graphic_tmm.chapters.cam import words_drum, words_plate, words_spring
 from graphic_tmm.chapters.cam.task import CAM
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
@@ -48,6 +48,7 @@ CAPTIONS: dict[str, str] = {
     "cam scheme": said("Scheme of the cam mechanism"),
     "cam-calculation": said("Calculation of the cam"),
     **words_drum.CAPTIONS,
+    **words_plate.CAPTIONS,
     **words_spring.CAPTIONS,
     "symbol cam S": said("S"),
     "symbol cam dS": said("S′"),

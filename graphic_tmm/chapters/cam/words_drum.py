@@ -58,6 +58,10 @@ ASKS = (
 )
 
 RATE_AT = said("The derivative dS/dφ stands on the axis at whose distance R the pole is sought.")
+TURNING = said(
+    "On the development the normal turns as the tangent does, whose slope is dS/dφ over R: its derivative "
+    "by the angle, taken positive where the groove's lower flank is convex."
+)
 LIMIT = said(
     "Nearer to the axis than this point the pressure angle would pass its limit in this phase."
 )
@@ -71,12 +75,12 @@ ANGLE = said(
     "The rod moves square to the circumference, the force along the normal of the path: between them is "
     "the angle of the tangent with the circumference."
 )
-BASE = said("The mean circumference of the drum, unrolled, is a straight line.")
+BASE_LINE = said("The mean circumference of the drum, unrolled, is a straight line.")
 FOOT = said("Turned by φ, the drum has gone on by R·φ at its mean radius.")
 PATH_POINT = said(
     "Over this place of the circumference the roller's centre stands at its displacement."
 )
 TANGENT = said("The tangent of the path is parallel to the ray to the end of dS/dφ.")
 NORMAL = said("Roller and flank touch on the normal of the path.")
-DWELL = said("While the follower rests its path is parallel to the circumference.")
+DWELL = said("While the follower rests its path is parallel to the way of the cam.")
 FLANK = said("The outer flank touches the roller on the other side, on the same normal.")
