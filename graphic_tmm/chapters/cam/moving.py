@@ -14,7 +14,7 @@ import numpy as np
 
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.cam import sliding
+from graphic_tmm.chapters.cam import moving_plate
 from graphic_tmm.chapters.cam.flat_rocker import FaceLever
 from graphic_tmm.chapters.cam.ink import (
     CROSS,
@@ -58,7 +58,7 @@ def pictures(drawn: Drawn) -> Iterator[TurningPicture]:
     """Yield the cam with its follower."""
     cam = CAM_PLAN.of(drawn)
     if cam is not None and cam.order.slides:
-        yield from sliding.pictures(drawn, cam)
+        yield from moving_plate.pictures(drawn, cam)
     # a drum is drawn developed: what turns is not seen there
     if cam is None or cam.order.developed:
         return
