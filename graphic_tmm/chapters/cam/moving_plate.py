@@ -41,7 +41,7 @@ def pictures(drawn: Drawn, cam: Cam) -> Iterator[TurningPicture]:
     start, long = 1j * far[0] / mu, cam.order.whole / mu
     radius = ink.fixed_number(made.roller) if made.roller is not None else 0.0
     bar, *guide = rod(start, radius, edge=radius == 0.0, length=ROD + float(np.ptp(far)) / mu)
-    roller: list[Ink] = [circle("main", start, radius), circle("joint", start, PIN)]
+    pins: list[Ink] = [circle("main", start, radius), circle("joint", start, PIN)]
     rises = Shift(1j, row((far - far[0]) / mu))
     yield TurningPicture(
         on.title,
@@ -50,7 +50,7 @@ def pictures(drawn: Drawn, cam: Cam) -> Iterator[TurningPicture]:
         (
             RigidBody(tuple(plate(ink, cam, long)), (Shift(-1 + 0j, row(gone / mu)),)),
             RigidBody(tuple(guide)),
-            RigidBody((*(roller if radius else ()), bar), (rises,)),
+            RigidBody((pins[0], bar, pins[1]) if radius else (bar,), (rises,)),
         ),
         (
             TurningValue("s_{c}", mm, 1, row(1000.0 * gone)),
