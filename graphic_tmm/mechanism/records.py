@@ -119,13 +119,17 @@ class Sweep:
         return abs((one - other + half) % self.high - half) if self.closed else abs(one - other)
 
 
+BELTS = ("belt", "crossed belt", "chain")
+"""What joins wheels that stand apart."""
+
+
 @dataclass(frozen=True)
 class Mesh:
     """Two wheels in mesh: their links, the letters of their centres, their teeth or pitch radii.
 
     ``start``: the angle of the second link's own x axis from that of the link that joins the centres, where the
     first one's lies along that; ``pressure``: the angle of the line of action, both in degrees. Of ``sizes``
-    the ratio counts; ``toothed``: they are teeth.
+    the ratio counts; ``toothed``: they are teeth. ``by``: "teeth", or one of `BELTS`.
     """
 
     links: tuple[int, int]
@@ -135,10 +139,26 @@ class Mesh:
     internal: bool = False
     start: float = 0.0
     pressure: float = 20.0
+    by: str = "teeth"
+
+    @property
+    def belted(self) -> bool:
+        """Whether a belt or a chain joins the wheels."""
+        return self.by in BELTS
+
+    @property
+    def alike(self) -> bool:
+        """Whether both wheels turn in one sense, seen from the link that joins the centres."""
+        return self.internal or self.by in ("belt", "chain")
 
     def reaches(self, apart: float) -> tuple[float, float]:
-        """Return how far the pitch point is from each centre towards the other, m; centres are ``apart``."""
+        """Return how far the pitch point is from each centre towards the other, m; centres are ``apart``.
+
+        Of a belt the radii, with signs by which the ratio of the wheels is that of teeth.
+        """
         first, second = self.sizes
+        if self.belted:
+            return first, -second if self.alike else second
         if not self.internal:
             return apart * first / (first + second), apart * second / (first + second)
         return apart * first / (first - second), apart * second / (second - first)

@@ -15,8 +15,9 @@ from graphic_tmm.mechanism.records import Link, Mechanism, Mesh
 
 G = TypeVar("G")
 W = TypeVar("W")
-PITCH = "K"
-"""The letter of a pitch point; with a prime where a point of the scene has it."""
+PITCH, FAR = "K", "L"
+"""The letters of a pitch point, or of where a belt leaves the wheel, and of where it leaves the other; with a
+prime where a point of the scene has them."""
 
 
 class Rolling(NamedTuple):
@@ -26,7 +27,8 @@ class Rolling(NamedTuple):
     ``pin``, ``other``: the letters of its own centre and of the other's. ``reach``: how far the pitch point is
     from its own centre towards the other, ``away``: from the other's centre towards its own, m, with signs.
     ``start``: the angle of its own x axis from that of ``arm`` where the other's lies along that, degrees.
-    ``after``: so many groups of two links stand before it; ``letter``: that of the pitch point.
+    ``after``: so many groups of two links stand before it; ``letter``: that of the pitch point; ``far``: of the
+    other end of what a belt spans. ``span``: the number of the link that would hold as that does.
     """
 
     mesh: Mesh
@@ -41,6 +43,8 @@ class Rolling(NamedTuple):
     start: float
     after: int
     letter: str
+    far: str
+    span: int
 
     @property
     def name(self) -> str:
@@ -58,16 +62,21 @@ class Rolling(NamedTuple):
         return self.mesh.internal and abs(self.reach) > abs(self.away)
 
     @property
+    def note(self) -> str:
+        """How the log heads its steps."""
+        return f"p4({self.name})" + (" by a flexible link" if self.mesh.belted else "")
+
+    @property
     def pair(self) -> Pair:
-        """Its higher pair."""
-        return _pair(self.letter, self.mesh)
+        """Its higher pair, or the flexible link that counts as one."""
+        return _pair(self.letter, self.far, self.mesh)
 
 
 def size_names(mechanism: Mechanism, mesh: Mesh) -> list[str]:
     """Return the letters of teeth or pitch radii in the order of links; primes tell steps of one link apart."""
     letter, names = "z" if mesh.toothed else "r", list[str]()
     for link, size in zip(mesh.links, mesh.sizes, strict=True):
-        meshes = [one for one in mechanism.meshes if link in one.links]
+        meshes = [m for m in mechanism.meshes if link in m.links and m.toothed == mesh.toothed]
         steps = list(dict.fromkeys(one.sizes[one.links.index(link)] for one in meshes))
         primes = "′" * steps.index(size)
         names.append(f"{letter}_{{{link}{primes}}}" if primes else f"{letter}_{link}")
@@ -84,12 +93,15 @@ def in_order(groups: Sequence[G], wheels: Iterable[W], after: Iterable[int]) -> 
 
 def meshing(mechanism: Mechanism) -> list[Pair]:
     """Return the higher pairs of a mechanism."""
-    return [_pair(_letter(mechanism, k), mesh) for k, mesh in enumerate(mechanism.meshes)]
+    return [
+        _pair(_letter(mechanism, k), _letter(mechanism, k, FAR), mesh)
+        for k, mesh in enumerate(mechanism.meshes)
+    ]
 
 
-def _pair(letter: str, mesh: Mesh) -> Pair:
+def _pair(letter: str, far: str, mesh: Mesh) -> Pair:
     first, second = sorted(mesh.links)
-    return Pair("K", letter, (first, second))
+    return Pair(*(("F", far + letter) if mesh.belted else ("K", letter)), (first, second))
 
 
 def bearers(bodies: Mapping[int, Link], mesh: Mesh) -> list[int]:
@@ -132,13 +144,15 @@ def rolling(
                 start,
                 after,
                 _letter(mechanism, k),
+                _letter(mechanism, k, FAR),
+                max(bodies) + 1 + k,
             )
 
 
-def _letter(mechanism: Mechanism, k: int) -> str:
-    """Return the letter of the pitch point of the mesh of this index."""
+def _letter(mechanism: Mechanism, k: int, first: str = PITCH) -> str:
+    """Return the letter of the pitch point of the mesh of this index, or of the far end of its belt."""
     taken = {letter for link in mechanism.by_number.values() for letter in link.points}
-    letter = PITCH if len(mechanism.meshes) == 1 else f"{PITCH}{k + 1}"
+    letter = first if len(mechanism.meshes) == 1 else f"{first}{k + 1}"
     while letter in taken:
         letter += "′"
     return letter

@@ -28,6 +28,9 @@ _GROUP, _HEADING = re.compile(r"II\((.+)\)"), said("group {name} of class II")
 """How the log heads the steps of a group, and what people read: II before a vector would be a parallel."""
 _WHEEL, _ROLLS = re.compile(r"p4\((.+)\)"), said("wheel {name} with its higher pair")
 """The same of a wheel that rolls on another."""
+_BELTED = re.compile(r"p4\((.+)\) by a flexible link")
+_DRIVEN = said("wheel {name} with its flexible link")
+"""The same of a wheel that a belt or a chain turns."""
 
 
 class Term(NamedTuple):
@@ -94,7 +97,7 @@ def heading(note: str, language: str) -> str:
     >>> heading("II(2-3)", "en"), heading("v_A = ω_1·l_{OA}", "en")
     ('group 2-3 of class II', 'v_A = ω_1·l_{OA}')
     """
-    for pattern, words in ((_GROUP, _HEADING), (_WHEEL, _ROLLS)):
+    for pattern, words in ((_GROUP, _HEADING), (_WHEEL, _ROLLS), (_BELTED, _DRIVEN)):
         if found := pattern.fullmatch(note):
             return speaking(language)(words, name=found[1])
     return note

@@ -134,7 +134,7 @@ def _mesh(mesh: m.Mesh) -> Mesh:
     """Return two wheels in mesh as their mechanism has them."""
     (first, second), (centre, other), (size, against) = mesh.links, mesh.centres, mesh.sizes
     ends = (first, second), (centre, other), (float(size), float(against))
-    return Mesh(*ends, bool(mesh.teeth), mesh.internal, mesh.phase, mesh.alpha)
+    return Mesh(*ends, bool(mesh.teeth), mesh.internal, mesh.phase, mesh.alpha, mesh.by)
 
 
 def _drive(

@@ -9,6 +9,7 @@ from typing import Any, ClassVar
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.records import BELTS
 from graphic_tmm.scene import coordinates as c
 from graphic_tmm.scene import misfits
 from graphic_tmm.scene import values as v
@@ -228,6 +229,19 @@ class Mesh:
         (),
     )
     internal: bool = key(v.SWITCH, "one wheel, the larger, has its teeth inside", True, False)
+    by: str = key(
+        v.choice(
+            "teeth",
+            *BELTS,
+            зубья="teeth",
+            ремень=BELTS[0],
+            перекрёстный_ремень=BELTS[1],
+            цепь=BELTS[2],
+        ),
+        "what joins the wheels: teeth, or a belt or chain about wheels that stand apart, their radii given",
+        "belt",
+        "teeth",
+    )
     phase: float = key(
         v.ANGLE,
         "the angle of the second link's own x axis from that of the link with both centres, where the first "

@@ -55,6 +55,12 @@ def _ends(path: Path, mesh: Mesh) -> Iterator[Flaw]:
             "give the teeth of both wheels, teeth = [20, 40], or their radii, one of the two"
         )
         yield Flaw((*path, "teeth"), says)
+    elif mesh.teeth and mesh.by != "teeth":
+        says = said(
+            "a belt or a chain is drawn from wheel to wheel: give their radii; a sprocket with z teeth for a "
+            "chain of the pitch t has z·t/2π"
+        )
+        yield Flaw((*path, "teeth"), says)
     elif len(mesh.sizes) != 2:
         says = said("two wheels are in mesh: write two numbers, in the order of links")
         yield Flaw((*path, "teeth" if mesh.teeth else "radii"), says)
@@ -79,12 +85,15 @@ def _sizes(path: Path, mesh: Mesh, bodies: Mapping[int, Frame | Link]) -> Iterat
         yield Flaw((*path, "centres"), says)
         return
     one, other = mesh.sizes
+    apart = abs(arms[0].points[first] - arms[0].points[second])
+    if mesh.by != "teeth":
+        yield from _belt(path, mesh, apart)
+        return
     if mesh.internal and one == other:
         says = said(
             "a wheel with its teeth inside is larger than the one in it: give different sizes"
         )
         yield Flaw((*path, "teeth" if mesh.teeth else "radii"), says)
-    apart = abs(arms[0].points[first] - arms[0].points[second])
     wanted = abs(one - other) if mesh.internal else one + other
     if mesh.radii and abs(wanted - apart) > APART * apart:
         says = said(
@@ -95,5 +104,24 @@ def _sizes(path: Path, mesh: Mesh, bodies: Mapping[int, Frame | Link]) -> Iterat
             apart=1000.0 * apart,
             wanted=1000.0 * wanted,
             rule=said("their difference") if mesh.internal else said("their sum"),
+        )
+        yield Flaw((*path, "radii"), says)
+
+
+def _belt(path: Path, mesh: Mesh, apart: float) -> Iterator[Flaw]:
+    """Wheels of a belt that do not stand apart, or bear teeth inside."""
+    if mesh.internal:
+        says = said(
+            'internal is said of teeth: by = "belt" keeps the sense of turning, by = "crossed belt" turns it'
+        )
+        yield Flaw((*path, "internal"), says)
+    if sum(mesh.sizes) >= apart:
+        says = said(
+            "the centres {first} and {second} are {apart:.6g} mm apart, but the radii come to {wanted:.6g} mm: "
+            "wheels that a belt or a chain joins stand apart; make a radius smaller",
+            first=mesh.centres[0],
+            second=mesh.centres[1],
+            apart=1000.0 * apart,
+            wanted=1000.0 * sum(mesh.sizes),
         )
         yield Flaw((*path, "radii"), says)

@@ -151,6 +151,7 @@ def statics(
     friction: Friction | None = None,
     at: Mapping[str, str] = {},
     digits: bool = False,
+    runs: Sequence[int] = (),
 ) -> Statics:
     """Solve the equilibrium of all links at once, in float64 or in the set precision of mpmath.
 
@@ -159,12 +160,14 @@ def statics(
     link's pin, positive along +90° from pivot → pin. Friction of a sliding pair acts on the slider
     against its slip, along the guide through the letter ``at[guide]``; that of a turning pair is
     the couple f·radius·|R|. Pairs at rest (1e-12 of the largest rate) have none. Teeth press wheels apart by
-    tan α of their force along the common tangent.
+    tan α of their force along the common tangent; ``runs``: on which side of the centres the pulling run of
+    each belt leaves its first wheel.
     """
     stage, structure = stage_of(mechanism, state, digits), dissect(mechanism)
     loads = loads_of(stage, forces, moments, gravity, inertia)
     units = [unit for pair in structure.pairs for unit in carried(stage, pair, at)]
-    teeth = [pressed(stage, mesh) for mesh in mechanism.meshes]
+    meshes = mechanism.meshes
+    teeth = [pressed(stage, *one) for one in zip(meshes, runs or [1] * len(meshes), strict=True)]
     units += [across for across, _ in teeth]
     units.append(balancing(stage, structure, balance))
     found = [_rub(stage, pair, 2 * k, friction, at) for k, pair in enumerate(structure.pairs)]

@@ -24,6 +24,7 @@ from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.chapters.kinematics.wheels import Wound
+from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure, dissect
 from support import dynamics
 from support.dynamics import Loaded, Statics, put_loads
@@ -63,6 +64,18 @@ def places(structure: Structure, positions: Positions) -> dict[str, str]:
                 found[leg.pair.name] = closing.letter
         if closing.group.inner.kind == "P":
             found[closing.group.inner.name] = closing.letter
+    return found
+
+
+def runs(mechanism: Mechanism, positions: Positions, given: Mapping[Mark, Any]) -> list[int]:
+    """On which side of the centres the run that is drawn of each belt leaves its first wheel; 1 of teeth."""
+    sides = {mark.name: value for mark, value in given.items() if mark.name.startswith("±")}
+    found = []
+    for mesh in mechanism.meshes:
+        one = next(wheel.rolling for wheel in positions.wheels if wheel.rolling.mesh is mesh)
+        side = int(sides.get(f"±{one.far}{one.letter}", 1))
+        turned = one.link == mesh.links[1] and mesh.by in ("belt", "chain")
+        found.append(-side if turned else side)
     return found
 
 
@@ -131,6 +144,7 @@ def solve(
         balance="force" if order.balance == "force" else "moment",
         friction=_friction(order.friction),
         at=places(structure, positions),
+        runs=runs(mechanism, positions, given),
     )
     return Solved(log, structure, positions, forces, reading, judge, state)
 

@@ -51,7 +51,11 @@ def gears_of(
             if n not in mesh.links and set(mesh.centres) <= one.points.keys()
         )
         meshed.append([place[n] for n in (*mesh.links, arm)])
-        shares.append((1.0 if mesh.internal else -1.0) * mesh.sizes[0] / mesh.sizes[1])
+        shares.append(
+            (1.0 if mesh.internal or mesh.by in ("belt", "chain") else -1.0)
+            * mesh.sizes[0]
+            / mesh.sizes[1]
+        )
     first, second, arms = np.array(meshed, dtype=np.intp).reshape(-1, 3).T
     starts = numbers([mesh.start for mesh in mechanism.meshes]) * (pi / 180)
     return Gears(first, second, arms, numbers(shares), starts)

@@ -18,8 +18,8 @@ from support.mechanisms import KINDS, Pose, Sampled, assemble
 FREE = "QWXYZVUTRNMLJHGF"
 
 
-def geared(seed: int, wheels: int = 1) -> Sampled:
-    """Draw one of a seed; its poses are those in which it was drawn."""
+def geared(seed: int, wheels: int = 1, *, belted: bool = False) -> Sampled:
+    """Draw one of a seed; its poses are those in which it was drawn. ``belted``: by belts, not teeth."""
     source = random.Random(seed)
     while True:
         drawn = assemble(lambda most: source.randint(0, most), (1, 2), KINDS[:3])
@@ -30,7 +30,7 @@ def geared(seed: int, wheels: int = 1) -> Sampled:
         drawn = drawn._replace(poses={**drawn.poses, 1: (x, y, turned)})
         try:
             for _ in range(wheels):
-                drawn = _with_wheel(drawn, source)
+                drawn = _with_wheel(drawn, source, belted)
         except IndexError:
             continue
         return drawn
@@ -46,7 +46,7 @@ def near(drawn: Sampled) -> Wound:
     return wound
 
 
-def _with_wheel(drawn: Sampled, source: random.Random) -> Sampled:
+def _with_wheel(drawn: Sampled, source: random.Random, belted: bool) -> Sampled:
     mechanism, places = drawn.mechanism, dict(drawn.points)
     poses: dict[int, Pose] = {mechanism.frame.number: (0.0, 0.0, 0.0), **drawn.poses}
     bodies = mechanism.by_number
@@ -64,13 +64,17 @@ def _with_wheel(drawn: Sampled, source: random.Random) -> Sampled:
     number = max(bodies) + 1
     turned = source.uniform(-math.pi, math.pi)
     sizes = source.uniform(0.3, 3.0), 1.0
-    internal = source.random() < 0.5
+    internal, by = source.random() < 0.5, "teeth"
     ratio = (1.0 if internal else -1.0) * sizes[0] / sizes[1]
+    if belted:  # an open belt keeps the sense, as a ring does; its wheels stand apart
+        room = source.uniform(0.05, 0.95) * apart / sum(sizes)
+        sizes, by = (sizes[0] * room, room), "belt" if internal else "crossed belt"
+        internal = False
     start = turned - poses[arm][2] - ratio * (poses[on][2] - poses[arm][2])
-    mesh = Mesh((on, number), (other, pin), sizes, False, internal, math.degrees(start))
+    mesh = Mesh((on, number), (other, pin), sizes, False, internal, math.degrees(start), by=by)
     if source.random() < 0.5:  # told the other way round
         back = math.degrees(-start / ratio)
-        mesh = Mesh((number, on), (pin, other), sizes[::-1], False, internal, back)
+        mesh = Mesh((number, on), (pin, other), sizes[::-1], False, internal, back, by=by)
     free = iter(letter for letter in FREE if letter not in places)
     end, fixed, middle = (next(free) for _ in range(3))
     way = cmath.rect(apart * source.uniform(0.3, 1.5), source.uniform(-math.pi, math.pi))

@@ -158,12 +158,27 @@ def carried(stage: Stage, pair: Pair, at: Mapping[str, str]) -> list[list[Wrench
     return [normal, on_both(owner, slider, nothing, place, one)]
 
 
-def pressed(stage: Stage, mesh: Mesh) -> tuple[list[Wrench], list[Wrench]]:
-    """What teeth do, of the first wheel on the second: 1 along the tangent, and apart for each of that."""
+def pressed(stage: Stage, mesh: Mesh, side: int) -> tuple[list[Wrench], list[Wrench]]:
+    """What teeth do, of the first wheel on the second: 1 along the tangent, and apart for each of that.
+
+    Of a belt: 1 along the run that leaves the first wheel on this side of the way to the second; +1 is left.
+    """
     start, end = (
         stage.place(letter, link) for letter, link in zip(mesh.centres, mesh.links, strict=True)
     )
     nothing, (first, second) = stage.number(0), map(stage.number, mesh.sizes)
+    if mesh.by != "teeth":
+        way, sense = (end - start) / abs(end - start), -1 if mesh.by == "crossed belt" else 1
+        cos = (first - sense * second) / stage.number(stage.size) / abs(end - start)
+        out = way * (cos + 1j * side * (1 - cos * cos) ** stage.number(0.5))
+        leaves, comes = (
+            at + out * radius / stage.number(stage.size)
+            for at, radius in ((start, first), (end, sense * second))
+        )
+        run = (leaves - comes) / abs(leaves - comes)
+        return on_both(*mesh.links, run, comes, nothing), on_both(
+            *mesh.links, nothing, comes, nothing
+        )
     share = first / (first - second) if mesh.internal else first / (first + second)
     pitch, way = start + (end - start) * share, (end - start) / abs(end - start)
     steep = mpmath.tan(stage.number(mesh.pressure) * mpmath.pi / 180)

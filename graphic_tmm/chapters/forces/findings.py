@@ -11,9 +11,14 @@ from graphic_tmm.board.execute import needed
 from graphic_tmm.board.findings import Finding, step_number
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
+from graphic_tmm.chapters.forces.wheels import SolvedWheel
+from graphic_tmm.chapters.kinematics.bodies import Meshed
 from graphic_tmm.chapters.kinematics.findings import assumed
 from graphic_tmm.drawn import Drawn, Findings
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.readers.findings import Warned
 
@@ -73,8 +78,38 @@ FINDINGS = Findings(nothing=balanced, coarse=ruled, compared=compared, findings=
 
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
-    if FORCES_PLAN.on(drawn).order.inertia:
+    made = FORCES_PLAN.on(drawn)
+    if made.order.inertia:
         yield from assumed(drawn)
+    for solved in (one for one in made.groups if isinstance(one, SolvedWheel)):
+        wheel = solved.wheel
+        if wheel.span is None:
+            continue
+        draws = drawn.reading[solved.parts[0].value] * _pulls(drawn, wheel)
+        pushed = [drawn.project.names[k] for k in made.places if draws[0, k] < 0.0]
+        if pushed:
+            yield speaking(language)(
+                _PUSHED,
+                n=len(pushed),
+                run=wheel.span.letter + wheel.rolling.letter,
+                link=wheel.leg.link,
+                listed=", ".join(pushed),
+            )
+
+
+def _pulls(drawn: Drawn, wheel: Meshed) -> Reals:
+    """Return the sign across its radius of a force by which the run of a belt that is drawn pulls."""
+    assert wheel.span is not None
+    radius, run = drawn.reading[wheel.leg.line], drawn.reading[wheel.span.line]
+    return np.asarray(-(run.along / radius.along).imag)
+
+
+_PUSHED = said(
+    "in position {listed} the run {run} of the belt would push link {link}: the other run pulls there, and the "
+    "reactions of the pins are not those drawn; the balance is",
+    "in positions {listed} the run {run} of the belt would push link {link}: the other run pulls there, and "
+    "the reactions of the pins are not those drawn; the balance is",
+)
 
 
 WARNINGS = Warned(_warnings)

@@ -26,7 +26,7 @@ def given(scene: Scene) -> Iterator[Given]:
     if order is None:
         return
     meshes = scene.mechanism.meshes if scene.mechanism is not None else ()
-    yield from dict.fromkeys(Given("α_w", mesh.pressure, "°") for mesh in meshes)
+    yield from dict.fromkeys(Given("α_w", m.pressure, "°") for m in meshes if not m.belted)
     for letter, load in zip(letters(order.loads), order.loads, strict=True):
         sizes = sizes_of(load)
         unit = "N·m" if load.point is None else "N"

@@ -12,6 +12,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Figure, Mark, Step, segment_name
 from graphic_tmm.board.values import Kind, Length, Line, Point
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
+from graphic_tmm.chapters.kinematics.ink_wheels import wheels
 from graphic_tmm.chapters.kinematics.reaches import VIEW as POSITIONS
 from graphic_tmm.chapters.kinematics.reaches import Reach, reach_of
 from graphic_tmm.paper.arithmetic import bearing, below, by_case, either, larger, signed, smaller
@@ -296,7 +297,7 @@ class Bodies:
 
     def strokes(self) -> Iterator[Ink]:
         """The links, and what slides on them; they stand on the points of the figure."""
-        found = [*self.ink.wheels(self.names, self.index, TEETH)]
+        found = [*wheels(self.ink, self.names, self.index, TEETH)]
         found += [s for name in self.names for s in self.ink.lines(name, self.index, MAIN)]
         found += self.ink.symbols(self.names, self.index)
         own = {of.slot: mark.slot for of, mark in self.points.items()}

@@ -217,13 +217,14 @@ def _divided(above: list[str], below: list[str]) -> list[str]:
 
 
 def _wheel_rows(writer: Writer, made: Forces, solved: SolvedWheel) -> Iterator[Row]:
-    """Yield the equation of moments of a wheel, both parts of the tooth's force, and the reactions."""
-    (across, along), leg = solved.parts, solved.wheel.leg
+    """Yield the equation of moments of a wheel, parts of the tooth's force or the belt's pull, reactions."""
+    (across, *along), leg = solved.parts, solved.wheel.leg
     of = Sum(solved.total, *_names(made, solved.links))
     sought = Sought(across.letter, across.value, across.arm, 1, "N")
     for parts in writer.sought(f"ΣM_{{{leg.pivot.name}}}", of, sought, solved.figure.mu):
         yield Row(parts, across.value)
-    yield _formula(writer, along.value, "N")
+    for part in along:
+        yield _formula(writer, part.value, "N")
     for reaction in solved.reactions:
         yield _read(writer, reaction, solved.polygon)
 

@@ -170,9 +170,9 @@ class _Figures:
         self.pitches: dict[int, list[Mark]] = {}
         for wheel in ground.positions.wheels:
             self.links[wheel.leg.link] = (wheel.leg.link,)
-            for link in (wheel.leg.link, wheel.rolling.on):
-                self.pitches.setdefault(link, []).append(wheel.pitch)
-        self.wheels = {wheel.leg.link for wheel in ground.positions.wheels}
+            for link, end in ((wheel.leg.link, wheel.pitch), (wheel.rolling.on, wheel.far)):
+                self.pitches.setdefault(link, []).append(end)
+        self.notes = {one.leg.link: one.rolling.note for one in ground.positions.wheels}
         for closing in dyads(ground.positions.closings, FORCES):
             for link in (*closing.group.links, *closing.group.rods):
                 self.links[link], self.closing[link] = closing.group.links, closing.point
@@ -185,7 +185,7 @@ class _Figures:
             points = [mark for number in members for mark in self.bodies[number].marks.values()]
             more = [self.closing[link]] if link in self.closing else []
             name = Solution(links).name
-            note = f"II({name})" if more else f"p4({name})" if link in self.wheels else f"I({name})"
+            note = f"II({name})" if more else self.notes.get(link, f"I({name})")
             more += [pitch for number in members for pitch in self.pitches.get(number, [])]
             self.known[links] = Detached(self.draft, links, note, (*points, *more))
         return self.known[links]

@@ -15,19 +15,24 @@ from graphic_tmm.chapters.kinematics.bodies import Meshed
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 
+BELT_PULLS = said(
+    "The wheel is in equilibrium about its centre: the pulling run of the belt, at the radius {length}, has "
+    "the moment that all other moments leave open; the slack one is taken to pull nothing."
+)
+
 
 class SolvedWheel(NamedTuple):
     """A wheel as solved: the force of the other tooth and the reaction of its pin, its polygon.
 
     ``total``: the sum of moments about its centre that the tooth balances; ``parts``: of the tooth's force,
-    along the common tangent and along the line of centres.
+    along the common tangent and along the line of centres; of a belt its pull.
     """
 
     wheel: Meshed
     reactions: tuple[Reaction, Reaction]
     polygon: Polygon
     total: Mark
-    parts: tuple[Tangent, Tangent]
+    parts: tuple[Tangent, ...]
     figure: Detached
 
     @property
@@ -41,8 +46,8 @@ def refuse_friction(wheels: tuple[Meshed, ...]) -> None:
     if wheels:
         raise StructureError(
             said(
-                "friction is drawn in pins and guides, not between the teeth of wheels on links: leave "
-                "[friction] out"
+                "friction is drawn in pins and guides, not between the teeth of wheels on links, nor in belts: "
+                "leave [friction] out"
             ),
             "effects.friction",
             "friction",
@@ -61,26 +66,28 @@ def solve_wheel(figure: Detached, wheel: Meshed, acting: Acting, of: Solution) -
         total = draft.take(Number, f"ΣM_{link}", 0.0, "N·m")
     radius = figure.length(leg.pivot, wheel.pitch)
     across, along = (f"R_{{{on}{link}}}^{{{part}}}" for part in "tr")
-    value = draft.draw(tooth_across, across, total, radius, figure.mu, unit="N")
-    pressing = tooth_outwards if rolling.ring else tooth_inwards
-    alpha = draft.angle("α_w", rolling.mesh.pressure)
-    radial = draft.draw(pressing, along, value, alpha, unit="N")
+    because = BELT_PULLS if wheel.span else ""
+    value = draft.draw(tooth_across, across, total, radius, figure.mu, unit="N", why=because)
+    radial = None
+    if not wheel.span:
+        pressing = tooth_outwards if rolling.ring else tooth_inwards
+        alpha = draft.angle("α_w", rolling.mesh.pressure)
+        radial = draft.draw(pressing, along, value, alpha, unit="N")
     chain = of.begin(draft)
     start = chain.end
     chain.add_across(across, leg.line, value)
     corner = chain.end
-    chain.add(along, leg.line, radial)
+    parts = [Tangent(across, value, radius, (start, corner))]
+    if radial:
+        chain.add(along, leg.line, radial)
+        parts.append(Tangent(along, radial, radius, (corner, chain.end)))
     meshed = chain.end
     for force in forces:
         chain.add(force.letter, force.line, force.value)
     tooth = reaction_of(figure, (on, link), (start, meshed), None, None)
     pin = reaction_of(figure, (leg.body, link), (chain.end, start), None, None)
-    parts = (
-        Tangent(across, value, radius, (start, corner)),
-        Tangent(along, radial, radius, (corner, meshed)),
-    )
     polygon = Polygon(of, chain.mu, (*chain.sides, (pin.letter, pin.tail, pin.head)))
-    return SolvedWheel(wheel, (tooth, pin), polygon, total, parts, figure)
+    return SolvedWheel(wheel, (tooth, pin), polygon, total, tuple(parts), figure)
 
 
 def hand_on_wheel(
@@ -88,7 +95,7 @@ def hand_on_wheel(
 ) -> None:
     """Enter the force of a wheel's tooth and of its pin, reversed, as loads of what bears them."""
     wheel = solved.wheel
-    for reaction, point in zip(solved.reactions, (wheel.pitch, wheel.leg.pivot), strict=True):
+    for reaction, point in zip(solved.reactions, (wheel.far, wheel.leg.pivot), strict=True):
         body, link = reaction.links
         if body == frame:
             continue

@@ -82,16 +82,26 @@ def draw_accelerations(
 def _wheel(
     draft: Draft, positions: Positions, velocities: Motion, plan: Motion, wheel: Meshed
 ) -> None:
-    """Draw a wheel's pitch point: over the other's along the line of centres, and about its own centre."""
-    draft.say(f"p4({wheel.rolling.name})")
-    on, leg = wheel.rolling.on, wheel.leg
-    letter = f"{wheel.letter}{leg.link}"
-    start = plan.images.of(on, wheel.pitch, wheel.rolling.letter, f"{wheel.letter}{on}")
+    """Draw a wheel's pitch point: over the other's along the line of centres, and about its own centre.
+
+    Of a belt the ends of its run differ across it only; where that turns with an arm, it is as a link.
+    """
+    draft.say(wheel.rolling.note)
+    on, leg, span = wheel.rolling.on, wheel.leg, wheel.span
+    if span:
+        letter, start = wheel.letter, pivot_image(plan, span)
+    else:
+        letter = f"{wheel.letter}{leg.link}"
+        start = plan.images.of(on, wheel.pitch, wheel.rolling.letter, f"{wheel.letter}{on}")
     across = _tangential_line(draft, velocities, plan, letter, leg)
-    name = f"({between(start, letter)})"
-    along = draft.draw(parallel, name, start, leg.line, sense=1, why=why.ROLLING_APART)
+    turns = span is not None and span.link in velocities.readings
+    if span and turns:
+        along = _tangential_line(draft, velocities, plan, letter, span)
+    else:
+        name, because = f"({between(start, letter)})", why.RIM_APART if span else why.ROLLING_APART
+        along = draft.draw(parallel, name, start, leg.line, sense=1, why=because)
     point = draft.draw(meet, letter, along, across, free=True, why=why.BOTH_EQUATIONS)
-    if start != plan.images.pole:
+    if start != plan.images.pole and not turns:
         component(draft, _read(draft, point, along, why.RELATIVE_READ), "r", letter, start.name)
     _read_tangential(draft, plan, leg, point, across)
     hang_wheel(positions, plan, wheel, pivot_image(plan, leg), point)

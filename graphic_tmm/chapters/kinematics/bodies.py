@@ -151,12 +151,22 @@ class Passive(NamedTuple):
 
 
 class Meshed(NamedTuple):
-    """A wheel as drawn: how it rolls, its leg from its centre to the pitch point, that point, its own angle."""
+    """A wheel as drawn: how it rolls, its leg from its centre to the pitch point, that point, its own angle.
+
+    Of a belt the pitch point is where its pulling run leaves the wheel, and ``span`` the run from the other
+    wheel to there: what a link would be whose pins are at both ends.
+    """
 
     rolling: Rolling
     leg: PinLeg
     pitch: Mark
     angle: Mark
+    span: PinLeg | None = None
+
+    @property
+    def far(self) -> Mark:
+        """Where the other wheel is held: at the pitch point, or at the other end of the run of a belt."""
+        return self.span.pivot if self.span else self.pitch
 
     @property
     def letter(self) -> str:

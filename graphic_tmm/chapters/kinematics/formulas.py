@@ -46,6 +46,11 @@ def internal_radius(length: Length, other: Number, own: Number) -> Length:
     """{length}·{own}/|{other} − {own}|"""
 
 
+@formula(why=said("A run of the belt falls by this from the one wheel to the other."))
+def excess(own: Length, other: Length) -> Length:
+    """{own} − {other}"""
+
+
 @formula(
     why=said(
         "In the own axes of the links by which the wheel rolls the lines whose angles are read stand at {arm} "

@@ -180,8 +180,8 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         for mesh in scene.mechanism.meshes:
             (first, second), (centre, other) = mesh.links, mesh.centres
             yield _(
-                _MESH,
-                kind=_(_INTERNAL if mesh.internal else _EXTERNAL),
+                _BELT if mesh.belted else _MESH,
+                kind=_(_JOINED.get(mesh.by) or (_INTERNAL if mesh.internal else _EXTERNAL)),
                 first=first,
                 second=second,
                 centre=centre,
@@ -206,6 +206,15 @@ _MESH = said(
     "Links {first} and {second} bear wheels in {kind} mesh, about {centre} and {other}; seen from the link "
     "that joins the centres, link {second} stands at {angle} where link {first} stands at 0°."
 )
+_BELT = said(
+    "Links {first} and {second} bear wheels about {centre} and {other}, joined by {kind}; seen from the link "
+    "that joins the centres, link {second} stands at {angle} where link {first} stands at 0°."
+)
+_JOINED = {
+    "belt": said("an open belt", context="joined by"),
+    "crossed belt": said("a crossed belt", context="joined by"),
+    "chain": said("a chain", context="joined by"),
+}
 _EXTERNAL, _INTERNAL = said("external", context="mesh"), said("internal", context="mesh")
 _STANDS = said("The mechanism stands; plans of possible velocities are drawn at {rate}.")
 _ZERO = said("Positions are counted from the {extreme}.")

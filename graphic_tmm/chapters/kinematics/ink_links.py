@@ -22,7 +22,7 @@ from graphic_tmm.chapters.kinematics.ink_cylinder import Placed, cylinder
 from graphic_tmm.chapters.kinematics.ink_supports import supports
 from graphic_tmm.chapters.kinematics.reaches import VIEW, Reach
 from graphic_tmm.paper.arithmetic import bearing, coordinates, decided, larger, smaller
-from graphic_tmm.paper.drawing import Ink, Stroke, arc, circle, line
+from graphic_tmm.paper.drawing import Ink, Stroke, circle, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.labels import TOGETHER
 from graphic_tmm.paper.symbols.kinematic import (
@@ -301,20 +301,6 @@ class LinksInk:
                 ties = [line(pen, end, spot) for end in spots[:2]]
                 made += body(ties, "centre", [*self.marks(name), *figure.marks], index)
         return made
-
-    def wheels(self, names: Sequence[str], index: int, sweep: float = 0.0) -> Iterator[Ink]:
-        """Yield the pitch circles of wheels and where they touch, or ``sweep`` degrees of them about there."""
-        known = set[Mark]()
-        for figure in (one for name in names for one in self.of(name, "wheel")):
-            centre, pitch = (self.at(mark, index) for mark in figure.marks)
-            made, out = [circle("centre", centre, abs(pitch - centre))], bearing(pitch - centre)
-            if sweep:
-                about = arc("centre", centre, abs(pitch - centre), out - sweep / 2.0, sweep)
-                made = [about, line("thin", centre, pitch)]
-            if figure.marks[1] not in known:
-                made.append(circle("main", pitch, POINT_RADIUS, filled=True))
-            known.add(figure.marks[1])
-            yield from body(made, "wheel", figure.marks, index)
 
     def guides(self) -> list[Ink]:
         """Return the guides of the frame, over the travel of their sliders, hatched on the far side."""

@@ -27,6 +27,7 @@ from graphic_tmm.chapters.kinematics.ink_numbers import (
     link_numbers,
     path_numbers,
 )
+from graphic_tmm.chapters.kinematics.ink_wheels import runs, wheels
 from graphic_tmm.chapters.kinematics.reaches import VIEW as PLAN
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.task import EXTREMES
@@ -210,7 +211,7 @@ class PositionsInk(LinksInk):
 
     def heavy(self, index: int) -> list[Ink]:
         """The whole mechanism in one position: links, what slides, pivots."""
-        strokes = [*self.wheels((self.frame.name, *self.names), index)]
+        strokes = [*wheels(self, (self.frame.name, *self.names), index), *runs(self, index)]
         strokes += [s for name in self.names for s in self.lines(name, index, MAIN)]
         return [*strokes, *self.symbols(self.names, index), *self.pivots()]
 

@@ -83,7 +83,7 @@ def draw_positions(
     sides, closings = wheels.sides, wheels.closings
     for group in structure.attached:
         if isinstance(group, Rolling):
-            draft.say(f"p4({group.name})")
+            draft.say(group.note)
             wheels.stand(group)
             tell_link(draft, mechanism, bodies[group.link])
             continue

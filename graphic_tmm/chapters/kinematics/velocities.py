@@ -83,13 +83,24 @@ def draw_velocities(
 def _wheel(
     draft: Draft, positions: Positions, plan: Motion, turn: VelocityLines, wheel: Meshed
 ) -> None:
-    """Read the velocity of the pitch point, common to both wheels, about the centre of the one that rolls."""
-    rolling, leg, pole = wheel.rolling, wheel.leg, plan.images.pole
+    """Read the velocity of the pitch point, common to both wheels, about the centre of the one that rolls.
+
+    Of a belt that joins wheels about pivots of the frame both ends of its run are equally fast.
+    """
+    rolling, leg, span, pole = wheel.rolling, wheel.leg, wheel.span, plan.images.pole
     start, letter, pin = pivot_image(plan, leg), rolling.letter, rolling.pin
+    if span and plan.images.turns(rolling.arm):
+        _on_arm(draft, positions, plan, turn, wheel, span)
+        return
     point = letter if start == pole else f"{letter}{pin}"
     about = f"ω_{leg.link}·l_{{{pin}{letter}}}" if start == pole else f"v_{pin} + v_{{{point}}}"
-    draft.say(f"v_{{{letter}}} = {about},  v_{{{point}}} ⊥ {pin}{letter}")
-    image = plan.images.of(rolling.on, wheel.pitch, letter, wheel.letter)
+    equal = f"v_{{{span.letter}}} = " if span else ""
+    draft.say(f"{equal}v_{{{letter}}} = {about},  v_{{{point}}} ⊥ {pin}{letter}")
+    if span:
+        far = pivot_image(plan, span)
+        image = draft.draw(coincide, wheel.letter, far, free=True, why=why.EQUAL_RIMS)
+    else:
+        image = plan.images.of(rolling.on, wheel.pitch, letter, wheel.letter)
     if image == pole:
         image = draft.draw(coincide, wheel.letter, pole, free=True, why=why.STANDING_WHEEL)
     elif start != pole:
@@ -97,6 +108,35 @@ def _wheel(
         plan.measured.add(image)
     line = turn.across(f"({between(start, image.letter)})", start, leg.line, start == pole)
     _read(draft, plan, leg, start, image, line)
+    hang_wheel(positions, plan, wheel, start, image)
+
+
+def _on_arm(
+    draft: Draft,
+    positions: Positions,
+    plan: Motion,
+    turn: VelocityLines,
+    wheel: Meshed,
+    span: PinLeg,
+) -> None:
+    """Draw the velocity of the end of a belt's run: about its other end, and about the centre of the wheel."""
+    draft.say(wheel.rolling.note)
+    lines = list[Mark]()
+    for leg in (span, wheel.leg):
+        start = pivot_image(plan, leg)
+        name = f"({between(start, wheel.letter)})"
+        lines.append(turn.across(name, start, leg.line, start == plan.images.pole))
+    image = draft.draw(meet, wheel.letter, *lines, free=True, why=why.BOTH_EQUATIONS)
+    far, start = (pivot_image(plan, leg) for leg in (span, wheel.leg))
+    plan.readings[span.link] = draft.draw(
+        measure_along,
+        between(far, image.letter),
+        far,
+        image,
+        lines[0],
+        why=why.RELATIVE_VELOCITY,
+    )
+    _read(draft, plan, wheel.leg, start, image, lines[1])
     hang_wheel(positions, plan, wheel, start, image)
 
 

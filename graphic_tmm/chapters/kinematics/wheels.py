@@ -12,10 +12,18 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.formulas import angle_by_angle
-from graphic_tmm.board.operations.instruments import join, lay_off, measure, parallel, ray
+from graphic_tmm.board.operations.formulas import angle_by_angle, to_board, total
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure,
+    parallel,
+    ray,
+    square,
+    tangent,
+)
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle
+from graphic_tmm.board.values import Angle, Side
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
     Closing,
@@ -32,6 +40,7 @@ from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.drives.rack import Rack
 from graphic_tmm.chapters.kinematics.formulas import (
     bearing_near,
+    excess,
     external_radius,
     external_ratio,
     internal_radius,
@@ -52,6 +61,19 @@ CENTRES = said(
 OUTWARDS = said("The smaller wheel lies inside: the pitch circles touch behind its centre.")
 PITCH_POINT = said(
     "The pitch circles touch here, as far from the centre as the pitch radius is long."
+)
+RUN = said(
+    "A straight run of the belt is square to the radii at its ends, so it is parallel to this tangent: to the "
+    "circle about {centre} whose radius is what the radii differ by, of a crossed belt their sum."
+)
+RUN_RADIUS = said("The radius at which the pulling run leaves the wheel is square to it.")
+OTHER_RADIUS = said(
+    "On the other wheel it is parallel to that, of a crossed belt it points the other way."
+)
+RUN_END = said("The pulling run of the belt leaves the wheel here.")
+BELT = said(
+    "Seen from the link that joins the centres both rims are as fast as the belt, so the angles are as the "
+    "radii the other way round; an open belt or a chain keeps the sense of turning, a crossed belt turns it."
 )
 WHEEL_AXIS = said(
     "The wheel's link turns about {start}; its angle is the one by which the wheel has rolled."
@@ -89,6 +111,7 @@ class Wheels:
         self.bodies = bodies
         self.wound = wound
         self.angles: dict[int, tuple[Mark, float]] = {}
+        self.senses: dict[int, int] = {}
         self.drawn: list[Meshed] = []
         self.closings: list[Closing] = []
         self.sides: dict[str, Mark] = {}
@@ -113,25 +136,16 @@ class Wheels:
         self.pairs.append(pair)
         if isinstance(pair, Crank) and not isinstance(pair, Rack):
             self.angles[pair.link] = at, self.bodies[pair.link].angle
+            self.senses[pair.link] = pair.drive.sense
 
     def stand(self, rolling: Rolling) -> None:
         """Draw a wheel's pitch point, and its link at the angle to which it has rolled."""
         draft, arm = self.draft, self.bodies[rolling.arm]
         link = self.mechanism.by_number[rolling.link]
         centre, other = arm.marks[rolling.pin], arm.marks[rolling.other]
-        inside = rolling.reach < 0.0
-        name = f"({rolling.pin}{rolling.letter})"
-        lines = [leg.line for closing in self.closings for leg in closing.legs]
-        line = next((one for one in lines if draft.uses(one) == (centre, other)), None)
-        if line is None:
-            line = draft.draw(join, f"({rolling.pin}{rolling.other})", centre, other, why=CENTRES)
-        if inside:
-            line = draft.draw(parallel, name, centre, line, sense=-1, why=OUTWARDS)
-        apart = draft.draw(measure, f"{rolling.pin}{rolling.other}", centre, other)
         sizes = self._sizes(rolling)
-        share = internal_radius if rolling.mesh.internal else external_radius
-        radius = draft.draw(share, f"{rolling.pin}{rolling.letter}", apart, *sizes)
-        pitch = draft.draw(lay_off, rolling.letter, line, radius, why=PITCH_POINT)
+        draw = self._run if rolling.mesh.belted else self._pitch
+        leg, pitch, span = draw(rolling, centre, other, sizes)
         own = link.points[rolling.pin]
         ends = [(letter, z) for letter, z in link.points.items() if letter != rolling.pin]
         bend = math.degrees(cmath.phase(ends[0][1] - own)) if ends else 0.0
@@ -141,19 +155,74 @@ class Wheels:
         body = self.bodies[link.number] = Body(link, own, bend, lambda: axis)
         stand(body, rolling.pin, centre, own)
         draw_points(draft, body, anchor(body))
-        for number, at in ((rolling.link, centre), (rolling.on, other)):
-            draft.figure("wheel", str(number), at, pitch)
+        drawn = Meshed(rolling, leg, pitch, angle, span)
+        for number, at, end in ((rolling.link, centre, pitch), (rolling.on, other, drawn.far)):
+            draft.figure("wheel", str(number), at, end)
+        if span:
+            draft.figure(rolling.mesh.by, str(rolling.link), centre, other, pitch, span.pivot)
         self.angles[link.number] = angle, bend
-        leg = PinLeg(link.number, rolling.body, rolling.pin, centre, line, radius)
-        self.drawn.append(Meshed(rolling, leg, pitch, angle))
+        self.drawn.append(drawn)
+
+    def _pitch(
+        self, rolling: Rolling, centre: Mark, other: Mark, sizes: list[Mark]
+    ) -> tuple[PinLeg, Mark, None]:
+        """Draw the pitch point on the line of centres; return it, and the leg to it from the wheel's centre."""
+        draft, inside = self.draft, rolling.reach < 0.0
+        name = f"({rolling.pin}{rolling.letter})"
+        lines = [leg.line for closing in self.closings for leg in closing.legs]
+        line = next((one for one in lines if draft.uses(one) == (centre, other)), None)
+        if line is None:
+            line = draft.draw(join, f"({rolling.pin}{rolling.other})", centre, other, why=CENTRES)
+        if inside:
+            line = draft.draw(parallel, name, centre, line, sense=-1, why=OUTWARDS)
+        apart = draft.draw(measure, f"{rolling.pin}{rolling.other}", centre, other)
+        share = internal_radius if rolling.mesh.internal else external_radius
+        radius = draft.draw(share, f"{rolling.pin}{rolling.letter}", apart, *sizes)
+        pitch = draft.draw(lay_off, rolling.letter, line, radius, why=PITCH_POINT)
+        leg = PinLeg(rolling.link, rolling.body, rolling.pin, centre, line, radius)
+        return leg, pitch, None
+
+    def _run(
+        self, rolling: Rolling, centre: Mark, other: Mark, sizes: list[Mark]
+    ) -> tuple[PinLeg, Mark, PinLeg]:
+        """Draw the run of a belt that pulls the wheel; return its end there, the leg to that, and the run."""
+        draft, alike = self.draft, rolling.mesh.alike
+        (own, end), (base, far) = (rolling.pin, rolling.letter), (rolling.other, rolling.far)
+        names = f"{base}{far}", f"{own}{end}"
+        away, radius = (draft.draw(to_board, *one) for one in zip(names, sizes, strict=True))
+        apart = draft.draw(excess if alike else total, f"r_{{{far}{end}}}", radius, away)
+        side = draft.take(Side, f"±{far}{end}", -float(self._sense(rolling)))
+        along = draft.draw(tangent, f"({base})", other, centre, apart, side, why=RUN)
+        line = draft.draw(square, f"({own}{end})", centre, along, sense=1, why=RUN_RADIUS)
+        pitch = draft.draw(lay_off, end, line, radius, why=RUN_END)
+        out = draft.draw(
+            parallel, f"({base}{far})", other, line, sense=1 if alike else -1, why=OTHER_RADIUS
+        )
+        start = draft.draw(lay_off, far, out, away, why=RUN_END)
+        run = draft.draw(join, f"({far}{end})", start, pitch)
+        length = draft.draw(measure, f"{far}{end}", start, pitch)
+        leg = PinLeg(rolling.link, rolling.body, own, centre, line, radius)
+        return leg, pitch, PinLeg(rolling.span, rolling.on, far, start, run, length)
+
+    def _sense(self, rolling: Rolling) -> int:
+        """Return which way a wheel turns, seen from what joins the centres; 1 if nothing tells beforehand."""
+        frame, senses = self.mechanism.frame.number, self.senses
+        own = int(math.copysign(1.0, rolling.ratio))
+        if rolling.arm == frame:
+            own *= senses.get(rolling.on, 1)
+            senses[rolling.link] = own
+        elif rolling.on == frame:
+            own *= -senses.get(rolling.arm, 1)
+        return own
 
     def _angle(self, rolling: Rolling, bend: float, sizes: list[Mark]) -> Mark:
         """Calculate the angle of a wheel's link; ``bend``: of the direction in own axes that it is of."""
         draft, number = self.draft, rolling.link
         arm, on = self._known(rolling.arm), self._known(rolling.on)
         start = draft.angle(f"φ_{{{number}0}}", rolling.start + bend)
-        op = internal_ratio if rolling.mesh.internal else external_ratio
-        share = draft.draw(op, f"u_{{{number}{rolling.on}}}", *sizes)
+        op = internal_ratio if rolling.mesh.alike else external_ratio
+        why = BELT if rolling.mesh.belted else ""
+        share = draft.draw(op, f"u_{{{number}{rolling.on}}}", *sizes, why=why)
         bends = [one[1] if one else 0.0 for one in (arm, on)]
         if any(bends):
             axes = [

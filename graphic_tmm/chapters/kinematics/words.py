@@ -213,6 +213,13 @@ ACCELERATION_ALONG = said("The guide is fixed and straight, so the acceleration 
 STANDING_WHEEL = said(
     "The other wheel stands, and on it this one rolls without slipping: its pitch point has no velocity."
 )
+EQUAL_RIMS = said(
+    "The belt neither stretches nor slips: both ends of its run, and the rims there, are equally fast along it."
+)
+RIM_APART = said(
+    "The ends of a belt's run have the same acceleration along it; they differ only across it, along the "
+    "radius {to}."
+)
 ROLLING_APART = said(
     "Where the wheels roll on each other their points have the same acceleration along the common tangent; "
     "they differ only along the line of centres, {to}."

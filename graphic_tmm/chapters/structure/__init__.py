@@ -2,7 +2,8 @@
 
 A plane mechanism of n moving links with p₅ pairs of one freedom and p₄ of two has the mobility W = 3n − 2p₅
 − p₄: three freedoms a link, less what the pairs take away. Here all pairs are turning or sliding (p₄ = 0),
-but for wheels on links: a mesh is a pair of two freedoms. A letter that k links share is k − 1 turning pairs.
+but for wheels on links: a mesh is a pair of two freedoms, and a belt or a chain counts as one. A letter that
+k links share is k − 1 turning pairs.
 
 The argument of Assur: take off the frame and the driving link, which alone has W = 1. What is left has to
 add no freedom, so it comes apart into groups of 3n = 2p₅, the smallest of which are two links with three

@@ -35,7 +35,12 @@ HIGHER = said(
     "The mechanism has {n} moving links, {p} pairs of class 5, and {p4} of class 4: wheels in mesh. Its "
     "mobility by Chebyshev's formula:"
 )
+FLEXIBLE = said(
+    "The mechanism has {n} moving links, {p} pairs of class 5, and {p4} of class 4: wheels in mesh or joined "
+    "by a belt or a chain, which takes one freedom as a mesh does. Its mobility by Chebyshev's formula:"
+)
 WHEEL = said("Wheel {name}: a lower and a higher pair")
+BELTED = said("Wheel {name}: a lower pair and a flexible link, which counts as a higher one")
 ONE_DRIVE = said(
     "One link has to be driven: link {link}. Without it and the frame there remain groups of zero mobility."
 )
@@ -89,7 +94,8 @@ class StructurePage(Page[Structure]):
         assert whole is not None
         n, p5, higher = whole.uses
         if structure.wheels:
-            yield self.says(HIGHER, n=n, p=p5, p4=higher)
+            flexible = any(one.mesh.belted for one in structure.wheels)
+            yield self.says(FLEXIBLE if flexible else HIGHER, n=n, p=p5, p4=higher)
         else:
             yield self.says(MOVING, n=n, p=p5)
         yield from self.worked_out(found.whole)
@@ -102,7 +108,8 @@ class StructurePage(Page[Structure]):
         if rods:
             yield self.says(TELESCOPED)
         kinds = {group.name: group.kind for group in class_two(structure.groups, PARTS)}
-        called = dict.fromkeys(rods, DRIVEN_ROD) | {one.name: WHEEL for one in structure.wheels}
+        called = dict.fromkeys(rods, DRIVEN_ROD)
+        called |= {one.name: BELTED if one.mesh.belted else WHEEL for one in structure.wheels}
         titles = [
             self.sentence(GROUP, name=name, kind=kinds[name])
             if name in kinds

@@ -33,6 +33,9 @@ LINK_NAMES = Tongues(
         "frame": said("frame"),
         "link": said("link"),
         "wheel": said("wheel", context="link"),
+        "belt": said("pulley"),
+        "crossed belt": said("pulley"),
+        "chain": said("sprocket"),
     }
 )
 """What a link is called by its role."""
@@ -58,8 +61,10 @@ def link_role(mechanism: Mechanism, structure: Structure, link: Link) -> str:
     if slides_on:
         return "slider" if frame in slides_on else "stone"
     owns = any(pair.kind == "P" and pair.links[1] == link.number for pair in pairs)
-    if not owns and link.number in {wheel.link for wheel in structure.wheels}:
-        return "wheel"
+    rolling = {wheel.link: wheel.mesh for wheel in structure.wheels}
+    if not owns and link.number in rolling:
+        mesh = rolling[link.number]
+        return mesh.by if mesh.belted else "wheel"
     turns_on_frame = any(pair.kind == "R" and frame in pair.links for pair in pairs)
     if owns:
         return "slotted rocker" if turns_on_frame else "link"
@@ -115,7 +120,12 @@ WORDS = Tongues(
         "kind K": said("wheels in mesh"),
         "higher": said("higher", context="pair"),
         "two freedoms": said("4, two"),
+        "kind belt": said("open belt", context="pair"),
+        "kind crossed belt": said("crossed belt", context="pair"),
+        "kind chain": said("chain", context="pair"),
+        "flexible": said("as a higher one", context="pair"),
         "K index": said("K", context="pair"),
+        "F index": said("F", context="pair"),
         "index": said("Index"),
         "R index": said("R"),
         "P index": said("P", context="pair"),
@@ -124,6 +134,10 @@ WORDS = Tongues(
         "class of group": said("Group {name}, class II"),
         "wheel": said("Group {name}: one link, a lower and a higher pair"),
         "class of wheel": said("Wheel {name} with its higher pair"),
+        "belted wheel": said(
+            "Group {name}: one link, a lower pair and a flexible link, which counts as a higher one"
+        ),
+        "class of belted wheel": said("Wheel {name} with its flexible link"),
         "class of link": said("Driving link {name}, class I"),
         "class of rod": said("Rod in its cylinder {name}, class I"),
         "class II": said("The mechanism is of class II: that of its highest group"),
@@ -175,9 +189,11 @@ def pair_rows(mechanism: Mechanism, structure: Structure, language: str) -> list
         index = _index(pair, mechanism, words)
         kind = words[f"kind {pair.kind}"]
         rows.append([escape(name), joined, kind, words["lower"], words["one freedom"], index])
-    for pair in (one.pair for one in structure.wheels):
+    for one in structure.wheels:
+        pair = one.pair
         joined = ",".join(map(str, pair.links))
-        cells = words["kind K"], words["higher"], words["two freedoms"]
+        kind, contact = (one.mesh.by, "flexible") if one.mesh.belted else ("K", "higher")
+        cells = words[f"kind {kind}"], words[contact], words["two freedoms"]
         rows.append([escape(pair.name), joined, *cells, _index(pair, mechanism, words)])
     return rows
 
@@ -243,7 +259,7 @@ def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -
     groups = [
         words["group"].format(name=one.name, kind=one.kind)
         if isinstance(one, Group)
-        else words["wheel"].format(name=one.name)
+        else words["belted wheel" if one.mesh.belted else "wheel"].format(name=one.name)
         for one in structure.attached
     ]
     n, p, p4 = structure.moving, len(structure.pairs), len(structure.wheels)

@@ -9,6 +9,7 @@ from graphic_tmm.chapters.kinematics.figures import SLIDING
 from graphic_tmm.chapters.kinematics.ink_links import MAIN, LinksInk
 from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR
+from graphic_tmm.chapters.kinematics.ink_wheels import wheels
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.structure import PARTS, STRUCTURE
@@ -51,7 +52,7 @@ def draw_part(
     """
     ink = LinksInk(on.construction, on.reading, reaches)
     names = [str(number) for number in (*links, *rods)]
-    strokes: list[Ink] = [*ink.wheels(names, index)] if len(names) == 1 else []
+    strokes: list[Ink] = [*wheels(ink, names, index)] if len(names) == 1 else []
     strokes += [stroke for one in names for stroke in ink.lines(one, index, MAIN)]
     strokes += _outer_guides(ink, names, index)
     strokes += [stroke for stroke in ink.symbols(names, index) if stroke.part != "centre"]
@@ -101,11 +102,11 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     words, found = WORDS[drawn.scene.language], []
     groups = {group.name: group.rods for group in class_two(structure.groups, PARTS)}
     rods = {one.name for one in structure.driven if one.telescopes}
-    wheels = {one.name for one in structure.wheels}
+    rolling = {one.name: one.mesh.belted for one in structure.wheels}
     for name, (n, p5, p4) in parts(structure).items():
         links = [int(one) for one in name.split("-")]
         kind = "group" if name in groups else "rod" if name in rods else "link"
-        kind = "wheel" if name in wheels else kind
+        kind = ("wheel", "belted wheel")[rolling[name]] if name in rolling else kind
         told = words[f"class of {kind}"].format(name=name)
         on = subject(drawn, told, PARTS, name=f"part-{name}")
         view = draw_part(on, reaches(drawn), links, groups.get(name, ()), drawn.main)

@@ -17,10 +17,10 @@ from graphic_tmm.studio import make
 RATIO = 1e-9
 
 
-def _all_hold(seeds: range) -> None:
+def _all_hold(seeds: range, *, belted: bool = False) -> None:
     refused: list[int] = []
     for seed in seeds:
-        drawn = geared(seed, 1 + seed % 2)
+        drawn = geared(seed, 1 + seed % 2, belted=belted)
         loaded = weighed(drawn, seed)
         order = order_of(
             loaded,
@@ -50,6 +50,15 @@ def test_wheels_on_any_links_bear_as_newton_and_euler_say() -> None:
 @pytest.mark.slow
 def test_many_wheels_on_any_links_bear_as_newton_and_euler_say() -> None:
     _all_hold(range(100, 250))
+
+
+def test_belts_on_any_links_pull_as_newton_and_euler_say() -> None:
+    _all_hold(range(8), belted=True)
+
+
+@pytest.mark.slow
+def test_many_belts_on_any_links_pull_as_newton_and_euler_say() -> None:
+    _all_hold(range(100, 250), belted=True)
 
 
 LOADED = (

@@ -33,9 +33,20 @@ def test_many_wheels_on_any_links_equal_the_loops(turned: bool) -> None:
     _all_equal(range(100, 250), turned)
 
 
-def _all_equal(seeds: range, turned: bool) -> None:
+@each("turned", [False, True])
+def test_belts_on_any_links_equal_the_loops(turned: bool) -> None:
+    _all_equal(range(10), turned, belted=True)
+
+
+@pytest.mark.slow
+@each("turned", [False, True])
+def test_many_belts_on_any_links_equal_the_loops(turned: bool) -> None:
+    _all_equal(range(100, 250), turned, belted=True)
+
+
+def _all_equal(seeds: range, turned: bool, *, belted: bool = False) -> None:
     for seed in seeds:
-        drawn = geared(seed, 1 + seed % 2)
+        drawn = geared(seed, 1 + seed % 2, belted=belted)
         found = errors(drawn, turned=turned, wound=near(drawn))
         assert max(found.values()) <= RATIO, (seed, found)
 
