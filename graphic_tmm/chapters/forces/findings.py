@@ -85,8 +85,10 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
         wheel = solved.wheel
         if wheel.span is None:
             continue
+        names = drawn.project.names
         draws = drawn.reading[solved.parts[0].value] * _pulls(drawn, wheel)
-        pushed = [drawn.project.names[k] for k in made.places if draws[0, k] < 0.0]
+        draws = np.broadcast_to(draws, (len(draws), len(names)))
+        pushed = [names[k] for k in made.places if draws[0, k] < 0.0]
         if pushed:
             yield speaking(language)(
                 _PUSHED,
