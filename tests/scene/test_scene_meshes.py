@@ -97,6 +97,26 @@ WRONG = {
         "teeth",
         "larger than the one in it",
     ),
+    "teeth of a belt": (
+        ("teeth = [40, 20]", 'teeth = [40, 20]\nby = "chain"'),
+        "teeth",
+        "a sprocket with z teeth for a chain of the pitch t has z·t/2π",
+    ),
+    "pulleys that meet": (
+        ("teeth = [40, 20]", 'radii = ["80 mm", "50 mm"]\nby = "belt"'),
+        "radii",
+        "120 mm apart, but the radii come to 130 mm: wheels that a belt",
+    ),
+    "a belt inside": (
+        ("teeth = [40, 20]", 'radii = ["20 mm", "50 mm"]\nby = "belt"\ninternal = true'),
+        "internal",
+        "internal is said of teeth",
+    ),
+    "a belt of no kind": (
+        ("teeth = [40, 20]", 'radii = ["20 mm", "50 mm"]\nby = "rope"'),
+        "by",
+        '"teeth", "belt", "crossed belt", "chain"',
+    ),
     "another link as well": (
         ("points = { D = [0, 0], C", "passive = true\npoints = { D = [0, 0], C"),
         "links",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from support import gallery
 from support.loaded import errors, order_of, solve, weighed
 from support.wheel_loops import FiveBar
 from support.wheels import geared, near
@@ -97,6 +98,22 @@ def test_the_tooth_presses_along_the_line_of_action(alpha: float) -> None:
     assert found.balance["M_bal_forces"][0] == pytest.approx(
         plain.balance["M_bal_forces"][0], rel=1e-12
     )
+
+
+@pytest.mark.parametrize("turns", ["counterclockwise", "clockwise"])
+@pytest.mark.parametrize("resists", [True, False])
+def test_a_run_that_would_push_is_told(turns: str, resists: bool) -> None:
+    """The run that is drawn pulls at M/r what is turned against a moment; along with it the other run would."""
+    text = (gallery.SHEETS / "belt-drive" / "scene.toml").read_text("utf-8")
+    sense = 1 if turns == "counterclockwise" else -1
+    moment = -12 * sense if resists else 12 * sense
+    text = text.replace("-12 N*m", f"{moment} N*m")
+    text = text.replace("positions     = 12", f'positions     = 12\nturns = "{turns}"')
+    told = [one for one in all_warnings(make(tmm.read(text)), "en") if "would push" in one]
+    assert len(told) == (not resists), told
+    assert all("in position 8 the run LK of the belt would push link 4" in one for one in told)
+    found = tmm.motion(text, [40.0], plans=("forces",), exact=True)
+    assert abs(found.forces["R14"][0]) == pytest.approx(12 / 0.08, rel=1e-12)
 
 
 def test_friction_is_refused_beside_wheels() -> None:
