@@ -101,7 +101,9 @@ def _wheel(
         name, because = f"({between(start, letter)})", why.RIM_APART if span else why.ROLLING_APART
         along = draft.draw(parallel, name, start, leg.line, sense=1, why=because)
     point = draft.draw(meet, letter, along, across, free=True, why=why.BOTH_EQUATIONS)
-    if start != plan.images.pole and not turns:
+    if span and turns:
+        component(draft, _read(draft, point, along, why.TANGENTIAL_READ), "t", letter, span.letter)
+    elif start != plan.images.pole:
         component(draft, _read(draft, point, along, why.RELATIVE_READ), "r", letter, start.name)
     _read_tangential(draft, plan, leg, point, across)
     hang_wheel(positions, plan, wheel, pivot_image(plan, leg), point)
