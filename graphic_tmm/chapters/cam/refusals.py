@@ -250,8 +250,9 @@ def _refuse_law(keys: tuple[str, str], law: Law, base: float) -> None:
             "cam", keys[0], said("only the law of constant acceleration has shares; leave them out")
         )
     if law.size and law.name != BY_TABLE:
-        says = said('only {law} = "table" takes a table; leave it out', law="law")
-        raise TaskError("cam", keys[0], says)
+        raise TaskError(
+            "cam", keys[0], said('only {law} = "table" takes a table; leave it out', law="law")
+        )
     if law.name != BY_DIAGRAM:
         if law.points and law.name != BY_TABLE:
             raise TaskError("cam", keys[0], said('points belong to the law "diagram" only'))

@@ -52,13 +52,17 @@ class Extreme:
 
 @dataclass(frozen=True)
 class TurnDiagram:
-    """A diagram over the turn: its chart; points, curves and positions by stretch; its extremes."""
+    """A diagram over the turn: its chart; points, curves and positions by stretch; its extremes.
+
+    ``rest``: of the dwells, at all positions (Number, SI); None where it is zero, or nobody asks for it.
+    """
 
     axes: Axes
     chart: Chart
     points: tuple[Mark, ...]
     curves: tuple[Mark, ...]
     extremes: tuple[Extreme, ...]
+    rest: Mark | None = None
 
 
 def draw_pressure(draft: Draft, diagrams: Diagrams, centre: Centre) -> TurnDiagram:
@@ -185,7 +189,7 @@ def draw_values(
         value = draft.draw(in_si, f"{letter}_{{{name}}}", y, unit=unit)
         extremes.append(Extreme(point, value, angle))
     chart = Chart(view, letter, unit, mu, readings, True, None, ROOM)
-    return TurnDiagram(axes, chart, points, curves, tuple(extremes))
+    return TurnDiagram(axes, chart, points, curves, tuple(extremes), rest)
 
 
 def _raised(

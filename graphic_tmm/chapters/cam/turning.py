@@ -18,17 +18,18 @@ from graphic_tmm.chapters.cam.centre import Centre
 from graphic_tmm.chapters.cam.diagrams import VIEWS, Diagrams
 from graphic_tmm.chapters.cam.laws.formulas import share_of_parts
 from graphic_tmm.chapters.cam.phases import Phase
-from graphic_tmm.chapters.cam.plan import CAM_PLAN
+from graphic_tmm.chapters.cam.plan import CAM_PLAN, Cam
 from graphic_tmm.chapters.cam.record import BESIDE
 from graphic_tmm.chapters.cam.task import CAM
 from graphic_tmm.chapters.cam.task_motion import BY_POINTS, TURN
+from graphic_tmm.chapters.cam.turn import TurnDiagram
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import ENDS, Between, Turn, Turning, TurnQuantity
 
 
 def quantities(project: Project) -> Iterator[TurnQuantity]:
-    """Yield the motion of the follower, the pressure angle, the points of both profiles."""
+    """Yield the motion of the follower, the pressure angle, forces of a spring, the points of both profiles."""
     made, beside = CAM_PLAN.on(project), BESIDE.of(project)
     diagrams = (made.diagrams.S, made.diagrams.V, made.diagrams.A)
     for name, one in zip(("S", "dS", "ddS"), diagrams, strict=True):
@@ -39,6 +40,9 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
             yield TurnQuantity(CAM, "columns", name, mark)
     if isinstance(made.centre, Centre):
         yield TurnQuantity(CAM, "columns", "pressure", made.centre.pressure)
+    for name, diagram in _forces(made).items():
+        chart = diagram.chart
+        yield TurnQuantity(CAM, "columns", name, chart.ordinates[0], chart.mu)
     profile = made.profile
     yield TurnQuantity(CAM, "profile", "K", profile.working.points, profile.mu)
     if profile.theoretical is not None and profile.theoretical is not profile.working:
@@ -69,6 +73,29 @@ def between(drawn: Drawn, turn: Turn) -> Between:
         for mark, there in zip(one.readings[::-1], inside[::-1], strict=True):
             values = np.where(there, reading[mark], values)
         found[one.reading] = values
+    return found | _pressing(drawn, turn, known | found, inside)
+
+
+def _forces(made: Cam) -> dict[str, TurnDiagram]:
+    """Return what a spring is judged by over the turn, by the names of columns."""
+    return {} if made.spring is None else dict(zip("PNM", made.spring.diagrams, strict=True))
+
+
+def _pressing(drawn: Drawn, turn: Turn, known: Between, inside: list[Any]) -> dict[Mark, object]:
+    """Return the inertia force, the force of contact and the moment, each under its first ordinate.
+
+    They follow from the motion; while the follower rests only the spring and a load press.
+    """
+    found: dict[Mark, object] = {}
+    made = CAM_PLAN.on(drawn)
+    none = 0.0 * np.asarray(known[made.diagrams.angle])
+    for one in _forces(made).values():
+        rest = [] if one.rest is None else [one.rest]
+        reading, mu = turn.read((*one.chart.ordinates, *rest), known), drawn.value(one.chart.mu)
+        values = sum((reading[mark] / mu for mark in rest), none)
+        for mark, there in zip(one.chart.ordinates[::-1], inside[::-1], strict=True):
+            values = np.where(there, reading[mark], values)
+        found[one.chart.ordinates[0]] = values
     return found
 
 

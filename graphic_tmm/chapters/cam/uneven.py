@@ -52,7 +52,7 @@ def _slopes(x: Reals, y: Reals, digit: float) -> Reals:
     sums = 3.0 * np.diff(y) * steep**2
     wanted[1:-1] = sums[:-1] + sums[1:]
     wanted[[0, -1]] = _begins(x, y, digit), _begins(1.0 - x[::-1], 1.0 - y[::-1], digit)
-    return np.asarray(np.linalg.solve(system, wanted), dtype=float)
+    return np.asarray(np.linalg.solve(system, wanted))
 
 
 def _begins(x: Sequence[float] | Reals, y: Sequence[float] | Reals, digit: float) -> float:

@@ -12,6 +12,7 @@ from support.cam_springs import closing, values, within
 from support.cams import C6, SHAPES, made, motion, pressure_angles, swung
 from support.scenes import written
 
+from graphic_tmm import motion as tmm_motion
 from graphic_tmm.board.bounds import TaskError
 from graphic_tmm.board.findings import examine
 from graphic_tmm.board.values import Curve
@@ -31,6 +32,7 @@ from graphic_tmm.chapters.cam.task import (
 )
 from graphic_tmm.errors import SceneError, TmmError
 from graphic_tmm.scene.read import read
+from graphic_tmm.scene.records import Scene
 from graphic_tmm.studio import composed_sheets
 
 DENSE = np.arange(3600) * 0.1
@@ -86,6 +88,34 @@ def test_the_force_of_contact_is_in_balance_with_what_presses(name: str) -> None
     np.testing.assert_allclose(
         drawn[inside], np.broadcast_to(due, drawn.shape)[inside], rtol=slack, atol=1e-9
     )
+
+
+@pytest.mark.parametrize("name", FOLLOWERS)
+def test_at_any_angle_forces_are_those_of_the_motion_there(name: str) -> None:
+    """Virtual work between positions too; the contact by pressure angles; while it rests the spring alone."""
+    of = made(order_of(name, rise_law=Law("3-4-5"), divisions=24))
+    one = Scene("spring", "", "en", tasks={"cam": of.cam.order})
+    angles = np.linspace(0.7, 359.3, 277)
+    found = tmm_motion(one, angles, exact=True).columns
+    force, (_, speed, second) = closing(of, angles), motion(of.cam.order, angles)
+    spring, follower = of.cam.order.spring, of.cam.order.follower
+    assert spring is not None
+    lifting = -spring.inertia * 40.0**2 * second
+    np.testing.assert_allclose(found["P"], lifting, atol=1e-9 * np.abs(lifting).max())
+    due = force * speed
+    np.testing.assert_allclose(found["M"], due, atol=1e-9 * np.abs(due).max())
+    if isinstance(follower, FlatRockerFollower):
+        due = force / swung(of, angles)[1]
+    elif isinstance(follower, FlatFollower):
+        due = force
+    else:
+        due = force / np.cos(np.radians(pressure_angles(of.cam.order, of.one(of.cam.r0), angles)))
+    if isinstance(follower, RockerFollower):
+        due = due / follower.lever
+    slack = 2e-3 if isinstance(follower, FlatRockerFollower) else 1e-9
+    np.testing.assert_allclose(found["N"], due, rtol=slack)
+    nowhere = tmm_motion(one, [np.nan, 3.0], exact=True).columns
+    assert [np.isnan(nowhere[name]).tolist() for name in "PNM"] == [[True, False]] * 3
 
 
 @pytest.mark.parametrize("name", ["central", "flat rocker"])

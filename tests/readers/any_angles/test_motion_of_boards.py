@@ -150,7 +150,11 @@ def test_a_law_that_is_integrated_is_read_off_its_curves() -> None:
 
 @pytest.mark.parametrize("exact", [False, True])
 def test_at_the_positions_it_is_what_the_table_has(exact: bool) -> None:
+    """Two lifts; a lever with a spring, whose forces are told, too."""
     as_in_the_table(read(SHEETS / "two-lifts"), exact=exact)
+    one = read(SHEETS / "flat-rocker-cam")
+    as_in_the_table(one, exact=exact)
+    assert {*"PNM"} < set(graphic_tmm.motion(one, 0.0, exact=exact).columns)
 
 
 @pytest.mark.parametrize("kind", ["offset", "along", "flat", "edge", "against"])
