@@ -159,7 +159,7 @@ def draw_picture(
         readings[at] = found
         speeds[at] = draft.draw(in_si, f"v_{at}", found, unit="m/s")
         along = draft.uses(trial.ends[at])[0]
-        tips[at] = draft.draw(lay_off, at.lower(), along, found, why=why.KNOWN_VELOCITY)
+        tips[at] = draft.draw(lay_off, at.lower(), along, found)
     through = [feet[points[motion.fixed]], *tips.values()] if motion.fixed else [*tips.values()]
     letter = "".join(mark.letter for mark in through)
     reason = why.SATELLITE_LINE if points.get(motion.fixed) == "C" else why.SATELLITE_OF_TWO

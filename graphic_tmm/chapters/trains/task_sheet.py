@@ -94,7 +94,7 @@ def scheme(scene: Scene, room: complex) -> Shown | None:
         return None
     view, apart = _drawing(order, 1.0, SHAFT), SHAFT
     left, low, right, top = bounds(view)
-    if right - left > room.real and len((*order.before, *order.behind)) > 1:
+    if right - left > room.real and len((*order.before, *order.behind, *order.closed)) > 1:
         view, apart = _drawing(order, 1.0, NEAR), NEAR
         left, low, right, top = bounds(view)
         if right - left > WIDER * room.real:
@@ -144,17 +144,21 @@ def _placed(order: PlanetaryTask, share: float, apart: float) -> Scheme2KH:
         (motion.first, rows_of(order, kind, "before")),
         *sorted(((member, (row,)) for (member, _), row in closed), key=lambda side: side[0] == "H"),
     ]
-    farther = 0.0
+    # a last wheel that turns with nothing on it has its hollow shaft there
+    beside = order.closed and motion.last not in (member for member, _ in order.closed)
+    farther = HOLLOW if beside else 0.0
     for member, some in sides:
         onward = apart if apart == SHAFT else NEXT
         at, way = min(0.0, arm) - apart, -onward
         if member != "1":
             # the disc of a ring 5 stands between
             at, way = max(last + (0.0 if "H" in kind.members else WIDTH), arm) + apart, onward
-            at, farther = at + farther, HOLLOW + SHAFT if some else farther
+            at, farther = at + farther, HOLLOW + onward if some else farther
         rows, y = [], 0.0
         for row in some:
-            rows.append(_row(row.names, complex(at, y), share))
+            one_shaft = math.prod(_level(len(teeth)) for _, teeth in order.closed) ** 0.5
+            wide = one_shaft / _level(len(row.names)) if order.closed else 1.0
+            rows.append(_row(row.names, complex(at, y), share * wide))
             at, y = at + way, [*rows[-1].values()][-1].centre.imag
         if rows:
             outside.append(SideRows(member, tuple(rows)))
@@ -171,6 +175,11 @@ def _placed_bevel(order: PlanetaryTask, share: float) -> Scheme2KH:
         wheels[mesh.wheel] = Side(at, at.conjugate(), complex(at.real))
         wheels.setdefault(mesh.rim, Side(at, complex(-at.real, at.imag), 1j * at.imag))
     return Scheme2KH(kind, wheels, (1j * first, 0j), (), motion_of(order))
+
+
+def _level(count: int) -> float:
+    """Return how far below its first wheel the last one of a row stands, mm."""
+    return BEHIND[0] + (2 * count - 3) * BEHIND[1]
 
 
 def _row(names: Sequence[str], at: complex, share: float) -> dict[str, Side]:
