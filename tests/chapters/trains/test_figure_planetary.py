@@ -98,6 +98,12 @@ def test_steps_of_random_trains_are_their_ink(scheme: str) -> None:
         PlanetaryTask("bevel", 0.005, (10.0, -4.0), ("1", "H"), teeth=(20, 12, 20)),
         PlanetaryTask("bevel", 0.005, 10.0, "3", "H", teeth=(40, 50, 30), satellites=(3,)),
         PlanetaryTask("bevel-double", 0.005, 10.0, teeth=(20, 18, 24, 36)),
+        PlanetaryTask(
+            "ring", 0.005, 10.0, teeth=(24, 24, 72), closed=(("H", (36, 24)), ("3", (40, 20)))
+        ),
+        PlanetaryTask(
+            "ring", 0.005, 10.0, teeth=(24, 24, 72), closed=(("1", (20, 60)), ("3", (60, 20, 30)))
+        ),
     ],
 )
 def test_steps_of_all_other_trains_are_their_ink(order: PlanetaryTask) -> None:
@@ -107,6 +113,7 @@ def test_steps_of_all_other_trains_are_their_ink(order: PlanetaryTask) -> None:
 def test_letters_of_random_trains_stand_clear(many: Callable[[int, int], int]) -> None:
     """Of every scheme, any member standing, with rows outside: no letter on another, no caption on a line."""
     draw = random.Random("letters")
+    closing = random.Random("closing letters")
     heavy, captions = ("main", "rod", "joint"), {line for lines in CAPTIONS for line in lines}
 
     def rows() -> tuple[tuple[int, ...], ...]:
@@ -130,6 +137,12 @@ def test_letters_of_random_trains_stand_clear(many: Callable[[int, int], int]) -
             scheme, 0.005, 100.0, driving, fixed, teeth=teeth, satellites=satellites
         )
         order = replace(order, behind=rows(), before=rows())
+        if scheme in oracle.SENSES and closing.random() < 0.5:
+            pair = [
+                (member, tuple(closing.randint(14, 50) for _ in range(closing.choice((2, 2, 3)))))
+                for member in closing.sample(SCHEMES[scheme].members, 2)
+            ]
+            order = replace(order, fixed=None, behind=(), before=(), closed=tuple(pair))
         try:
             _, view = drawn(order, CAPTIONS)
         except (TaskError, StructureError):  # a shaft stands, or is no place for them
