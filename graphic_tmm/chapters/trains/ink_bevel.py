@@ -16,7 +16,7 @@ from graphic_tmm.chapters.trains.ink import (
     in_lines,
     with_steps,
 )
-from graphic_tmm.chapters.trains.ink_pairs import BEARING, GAP, STUB, WIDTH, Side, bearing
+from graphic_tmm.chapters.trains.ink_pairs import BEARING, GAP, HOLLOW, STUB, WIDTH, Side, bearing
 from graphic_tmm.chapters.trains.ink_rates import (
     DOT,
     draw_pole,
@@ -27,7 +27,6 @@ from graphic_tmm.chapters.trains.ink_rates import (
 )
 from graphic_tmm.chapters.trains.ink_scheme import (
     ASIDE,
-    HOLLOW,
     LEAST,
     OVER,
     SHAFT,

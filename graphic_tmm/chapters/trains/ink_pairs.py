@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.paper.drawing import Stroke, line
-from graphic_tmm.paper.symbols.kinematic import Strokes, gear_side, hatching
+from graphic_tmm.paper.symbols.kinematic import FIX, Strokes, gear_side, hatching
 
 WIDTH = 8.0
 """Width of a wheel, mm."""
@@ -14,6 +14,8 @@ BEARING, GAP = 6.0, 1.8
 """Length of a bearing, and from the shaft to its lines, mm."""
 OWN, BESIDE = 13.0, 8.0
 """How far the shaft of a wheel behind the train reaches to either side of it, where its bearings stand, mm."""
+HOLLOW = 4.0
+"""Radius of the bore of a wheel through which the shaft of the carrier goes, mm."""
 STUB = 2.5
 """How far a shaft goes on behind its last wheel, mm."""
 
@@ -48,10 +50,12 @@ def wheels_of(outside: Sequence[SideRows]) -> dict[str, Side]:
     return {name: wheel for view in outside for row in view.rows for name, wheel in row.items()}
 
 
-def draw_outside(outside: Sequence[SideRows], *, joined: bool) -> Iterator[tuple[str, Strokes]]:
+def draw_outside(
+    outside: Sequence[SideRows], *, joined: bool, hollow: Sequence[Side]
+) -> Iterator[tuple[str, Strokes]]:
     """Yield the wheels, each with the shaft that it brings: the last of a row carries the next row, too.
 
-    ``joined``: the last wheels of two views stand on one shaft.
+    ``joined``: the last wheels of two views stand on one shaft. ``hollow``: those on the train's hollow one.
     """
     ends = [[*view.rows[-1]][-1] for view in outside] if joined else []
     for view in outside:
@@ -59,12 +63,21 @@ def draw_outside(outside: Sequence[SideRows], *, joined: bool) -> Iterator[tuple
         for row, carried in zip(view.rows, [*after, None], strict=True):
             last = [*row][-1]
             for k, (name, wheel) in enumerate(row.items()):
-                strokes = gear_side(wheel.centre, wheel.radius, WIDTH)
+                strokes = gear_side(wheel.centre, wheel.radius, WIDTH, fixed=wheel not in hollow)
+                if wheel in hollow:
+                    strokes = (*strokes, *_on_hollow(wheel.centre))
                 other = carried if carried is not None and name == last else wheel
                 if name in ends:
                     other = wheels_of(outside)[ends[-1]]
                 shaft = k > 0 and (name not in ends or name == ends[0])
                 yield name, (*strokes, *(_shaft(wheel.centre, other.centre) if shaft else ()))
+
+
+def _on_hollow(at: complex) -> Iterator[Stroke]:
+    """What fixes a wheel to a hollow shaft: a cross on each of its lines, none on the shaft within."""
+    for side in (at + 1j * HOLLOW, at - 1j * HOLLOW):
+        for way in (FIX * (1 + 1j), FIX * (1 - 1j)):
+            yield line("main", side - way, side + way)
 
 
 def occupied(outside: Sequence[SideRows]) -> list[tuple[float, float, float, float]]:

@@ -11,6 +11,7 @@ from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.trains.ink_pairs import (
     BEARING,
     GAP,
+    HOLLOW,
     STUB,
     WIDTH,
     Side,
@@ -43,8 +44,8 @@ GROUND = 4.0
 """How far the ground of a fixed ring goes on at its sides, mm."""
 SHORT = 9.0
 """Length of the hollow hub of a wheel with external teeth, mm."""
-HOLLOW, HUB = 4.0, 14.0
-"""Radius of the bore of a wheel through which the shaft of the carrier goes, length of its hollow shaft, mm."""
+HUB = 14.0
+"""Length of the hollow shaft of a wheel, mm."""
 
 
 class Scheme2KH(NamedTuple):
@@ -139,7 +140,8 @@ def draw_scheme(made: Scheme2KH) -> Iterator[tuple[str, Strokes]]:
     for mesh in made.scheme.meshes[1:]:
         yield mesh.wheel, tuple(_other(made, mesh))
     yield "H", tuple(_carrier(made, list(rims.values())))
-    yield from draw_outside(made.outside, joined=made.motion.closing is not None)
+    joined = made.motion.closing is not None
+    yield from draw_outside(made.outside, joined=joined, hollow=made.carried)
 
 
 def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
