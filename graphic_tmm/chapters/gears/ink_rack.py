@@ -12,7 +12,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.gears.line import ActionLine, RackLines
 from graphic_tmm.chapters.gears.outline import BESIDE, hatched, spot
-from graphic_tmm.chapters.gears.rack_teeth import TEETH, RackSide, RackTeeth
+from graphic_tmm.chapters.gears.toothed_rack import TEETH, RackSide, RackTeeth
 from graphic_tmm.paper.drawing import Ink, Wanted, arc, line
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.formats import Heights

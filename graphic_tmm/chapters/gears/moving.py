@@ -8,8 +8,8 @@ from graphic_tmm.chapters.gears.ink import MeshInk, draw_gear_ink
 from graphic_tmm.chapters.gears.ink_rack import RackInk, rack_bodies
 from graphic_tmm.chapters.gears.outline import outline, pitch_outline
 from graphic_tmm.chapters.gears.plan import GEARS_PLAN
-from graphic_tmm.chapters.gears.rack_teeth import TEETH
 from graphic_tmm.chapters.gears.teeth import Wheel
+from graphic_tmm.chapters.gears.toothed_rack import TEETH
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.page.turning import (

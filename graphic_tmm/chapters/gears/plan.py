@@ -11,12 +11,12 @@ from graphic_tmm.board.scales import standard, standard_length
 from graphic_tmm.chapters.gears.contact import Check, Contact, draw_contact, record_checks
 from graphic_tmm.chapters.gears.dimensions import GearSizes, calculate_sizes, known
 from graphic_tmm.chapters.gears.line import ActionLine, draw_action_line
-from graphic_tmm.chapters.gears.rack_teeth import RackTeeth, draw_rack
 from graphic_tmm.chapters.gears.refusals import refuse_order, refuse_ring, refuse_sizes
 from graphic_tmm.chapters.gears.sliding import ROOM as SLIDING
 from graphic_tmm.chapters.gears.sliding import Sliding, draw_sliding
 from graphic_tmm.chapters.gears.task import ASKED, GEARS, GearTask
 from graphic_tmm.chapters.gears.teeth import Rows, Wheel, choose_rows, draw_wheel
+from graphic_tmm.chapters.gears.toothed_rack import RackTeeth, draw_rack
 from graphic_tmm.fitting.scales import Fitting
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
