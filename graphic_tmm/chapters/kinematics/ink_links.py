@@ -202,8 +202,8 @@ class LinksInk:
         made += [line(pens[0], *ends) for ends in axes if abs(ends[1] - ends[0]) > TOGETHER]
         held = any(all(_on(spot, bar) for spot in spots) for bar in (*bars, *rods))
         if arms := self.arms(name, index):
-            return made + [stroke for arm in arms for stroke in _outline(arm, pens[0])]
-        return made if held else made + _outline(spots, pens[0])
+            return made + [stroke for arm in arms for stroke in rigid_figure(arm, pens[0])]
+        return made if held else made + rigid_figure(spots, pens[0])
 
     def arms(self, name: str, index: int) -> list[list[complex]]:
         """Return where the points of the arms of a link are; none of a link without arms."""
@@ -339,7 +339,7 @@ def _welded(first: Sequence[complex], second: Sequence[complex]) -> list[Stroke]
     return list(rigid_joint(at, *ways, times=1.5)) if min(map(abs, ways)) >= HELD else []
 
 
-def _outline(spots: Sequence[complex], pen: str) -> list[Stroke]:
+def rigid_figure(spots: Sequence[complex], pen: str) -> list[Stroke]:
     """Return the line between points, or the outline of those out of line, every one held by it."""
     apart = [z for k, z in enumerate(spots) if all(abs(z - y) > TOGETHER for y in spots[:k])]
     if len(apart) < 2:

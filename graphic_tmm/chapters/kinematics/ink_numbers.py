@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import combinations, pairwise
+from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
@@ -259,17 +260,21 @@ def link_numbers(
     letters: Sequence[Wanted],
     size: float,
     names: Sequence[str] = (),
+    lines: Mapping[str, tuple[complex, complex]] = MappingProxyType({}),
 ) -> list[Numbered]:
     """Return the numbers of links in circles, clear of what is drawn and of where letters will stand.
 
-    ``names``: of these links; left out, of all of them and of the frame.
+    ``names``: of these links; left out, of all of them and of the frame. ``lines``: of links with none else.
     """
     heavy = [shape(one) for one in strokes if one.pen not in LIGHTER]
     light = [shape(one) for one in strokes if one.pen in LIGHTER]
     spots = shapely.MultiPoint([(one.at.real, one.at.imag) for one in letters])
     made = []
     for name in names or (*ink.names, ink.frame.name):
-        tried = [*_tried(ink, name, main)] or [*_about_wheels(ink, name, main)]
+        tried = [*_tried(ink, name, main)]
+        tried = tried or [
+            *(_along(*lines[name]) if name in lines else _about_wheels(ink, name, main))
+        ]
         if not tried:
             continue
         costs = _costs(tried, heavy, light, spots, ROUND * size)

@@ -21,10 +21,11 @@ would be 0, so it is left out and told; it is drawn where its letters on other l
 each other are one link, told as its arms.
 
 Draws: the tables of links and of pairs, with W, the formula and the kind of each group below (place
-``structure``); the driving link and each group by itself, as it stands in the main position (place ``groups of
-structure``). Its steps are calculations beside the plans: W of the mechanism and, as a check, of each part. The
-dissection itself is `graphic_tmm.mechanism.structure`, for every plan needs it. Builds on kinematics, whose
-links it shows.
+``structure``); the driving link and each group by itself, as it stands in the main position (place ``groups
+of structure``); the linkage with a link and two turning pairs for each mesh or belt, and the groups that this
+makes (place ``replacing linkage``). Its steps are calculations beside the plans: W of the mechanism and, as a
+check, of each part. The dissection itself is `graphic_tmm.mechanism.structure`, for every plan needs it.
+Builds on kinematics, whose links it shows.
 
 Sources: Ассур Л. В., Исследование плоских стержневых механизмов; Артоболевский И. И., Теория механизмов и
 машин (структура и классификация механизмов); as worked in the course project of the windrower (scene
@@ -40,11 +41,16 @@ STRUCTURE = "structure"
 """The chapter, its view, its place."""
 PARTS = "groups of structure"
 """The place of the parts by themselves."""
+REPLACING = "replacing linkage"
+"""The place of the linkage that moves as the mechanism with its higher pairs does."""
 _TABLES = said(
     "The structure is analysed: links and pairs, mobility, Assur groups, formula of structure, "
     "class of the mechanism."
 )
 _PARTS = said("The driving link and each Assur group are drawn by themselves.")
+_REPLACING = said(
+    "Wheels are replaced by links with turning pairs; the linkage and its groups are drawn."
+)
 
 CHAPTER = Chapter(
     name=STRUCTURE,
@@ -53,6 +59,7 @@ CHAPTER = Chapter(
     places=(
         Place(STRUCTURE, 90, asks=(_TABLES,)),
         Place(PARTS, asks=(_PARTS,)),
+        Place(REPLACING, asks=(_REPLACING,)),
     ),
     always=True,
 )

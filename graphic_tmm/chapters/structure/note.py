@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from graphic_tmm.chapters.structure import PARTS
+from graphic_tmm.chapters.structure import PARTS, REPLACING
+from graphic_tmm.chapters.structure.ink_replacing import replacing_views
 from graphic_tmm.chapters.structure.record import MOBILITY, Mobility
+from graphic_tmm.chapters.structure.replacing import replaced_formula
 from graphic_tmm.chapters.structure.table import (
     LINK_HEADS,
     PAIR_HEADS,
@@ -56,6 +58,11 @@ GROUP = said("Group {name}: class II, order 2, kind {kind}")
 DRIVEN = said("Driving link {name}: class I")
 DRIVEN_ROD = said("Rod in its cylinder {name}: class I")
 ATTACHED = said("The parts are shown in {} in the order of their attachment; the mobility of each:")
+REPLACED = said(
+    "In place of each higher pair a link with two turning pairs moves the wheels as it does at that moment, "
+    "velocities and accelerations alike: from one end of the line of action to the other, where the base "
+    "circles touch it, or along the pulling run of a belt. The replacing linkage is shown in {}; its mobility:"
+)
 LINKS, PAIRS = said("Links of the mechanism"), said("Kinematic pairs of the mechanism")
 
 
@@ -67,7 +74,11 @@ class StructurePage(Page[Structure]):
 
     def views(self) -> list[Drawing]:
         """Return the parts, in the order of their attachment."""
-        return readable(self.drawn, lambda held: part_views(held, True))
+        return readable(
+            self.drawn,
+            lambda held: part_views(held, True),
+            lambda held: replacing_views(held, True),
+        )
 
     def blocks(self) -> Iterator[Block]:
         """Yield links, pairs, the mobility, the formula of structure, the class."""
@@ -87,6 +98,12 @@ class StructurePage(Page[Structure]):
             yield paragraph(f"{plain(line)}.")
         yield paragraph(f"{words['formula']}: {structure.formula}.")
         yield paragraph(f"{words['class II' if structure.groups else 'class I']}.")
+        if found is not None and found.replaced:
+            shown = side_by_side(self.figures(*self.pictures))
+            yield referred(shown, self.language, REPLACED)
+            yield from self.worked_out(*found.replacing.values())
+            yield paragraph(f"{words['formula']}: {replaced_formula(structure)}.")
+            yield from shown
 
     def _mobility(self, structure: Structure, found: Mobility) -> Iterator[Block]:
         """Yield W of the mechanism and of each part that it comes apart into, with its figure."""
@@ -116,7 +133,8 @@ class StructurePage(Page[Structure]):
             else self.sentence(called.get(name, DRIVEN), name=name)
             for name in found.parts
         ]
-        shown = zip(self.figures(*self.pictures), titles, strict=True)
+        names = [name for name in self.pictures if name.startswith("part-")]
+        shown = zip(self.figures(*names), titles, strict=True)
         parts = side_by_side([one._replace(caption=caption) for one, caption in shown])
         yield referred(parts, self.language, ATTACHED)
         for block in self.worked_out(*found.parts.values()):
@@ -133,4 +151,4 @@ class StructurePage(Page[Structure]):
         return Table(f"table-{name}", text(self.speech(title)), told, tuple(rows), align)
 
 
-NOTE = Noted(StructurePage, places=(PARTS,))
+NOTE = Noted(StructurePage, places=(PARTS, REPLACING))

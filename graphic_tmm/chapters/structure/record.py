@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
-from graphic_tmm.chapters.structure import PARTS, STRUCTURE
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.structure import PARTS, REPLACING, STRUCTURE
+from graphic_tmm.chapters.structure.replacing import Replaced, replace
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import Group
 from graphic_tmm.mechanism.structure import Structure, dissect
@@ -28,10 +31,15 @@ def mobility(n: Number, p5: Number, p4: Number) -> Number:
 
 
 class Mobility(NamedTuple):
-    """Mobility as calculated (Number): of the mechanism; of its parts by the numbers of their links: 1, 2-3."""
+    """Mobility as calculated (Number): of the mechanism; of its parts by the numbers of their links: 1, 2-3.
+
+    ``replaced``: its higher pairs in the replacing linkage; ``replacing``: W of that ("") and of its groups.
+    """
 
     whole: Mark
     parts: Mapping[str, Mark]
+    replaced: tuple[Replaced, ...] = ()
+    replacing: Mapping[str, Mark] = MappingProxyType({})
 
 
 MOBILITY: Recorded[Mobility] = Recorded(aside("structure"))
@@ -52,7 +60,7 @@ def parts(structure: Structure) -> dict[str, tuple[int, int, int]]:
 def record_mobility(bench: Bench) -> Mobility | None:
     """Calculate W of the mechanism and, as a check of its dissection, of each part; None if nobody asks."""
     assert bench.scene.mechanism is not None
-    if not bench.wanted & {STRUCTURE, PARTS}:
+    if not bench.wanted & {STRUCTURE, PARTS, REPLACING}:
         return None
     structure, draft = dissect(bench.scene.mechanism), bench.draft
     draft.open(STRUCTURE)
@@ -68,7 +76,13 @@ def record_mobility(bench: Bench) -> Mobility | None:
 
     whole = w("W", "", structure.moving, len(structure.pairs), len(structure.wheels))
     own = {name: w(f"W_{name}", "", *size) for name, size in parts(structure).items()}
-    return Mobility(whole, own)
+    if REPLACING not in bench.wanted or not structure.wheels:
+        return Mobility(whole, own)
+    replaced = tuple(replace(draft, KINEMATICS_PLAN.on(bench).positions))
+    more, size = len(replaced), (structure.moving, len(structure.pairs))
+    replacing = {"": w("W′", "′", size[0] + more, size[1] + 2 * more, 0)}
+    replacing |= {one.name: w(f"W_{one.name}", "", 2, 3, 0) for one in replaced}
+    return Mobility(whole, own, replaced, replacing)
 
 
 def _record(bench: Bench) -> Structure:

@@ -138,6 +138,7 @@ WORDS = Tongues(
             "Group {name}: one link, a lower pair and a flexible link, which counts as a higher one"
         ),
         "class of belted wheel": said("Wheel {name} with its flexible link"),
+        "replacing": said("Replacing linkage"),
         "class of link": said("Driving link {name}, class I"),
         "class of rod": said("Rod in its cylinder {name}, class I"),
         "class II": said("The mechanism is of class II: that of its highest group"),

@@ -12,7 +12,8 @@ from graphic_tmm.chapters.kinematics.ink_positions import PAIR
 from graphic_tmm.chapters.kinematics.ink_wheels import wheels
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.scales import reaches
-from graphic_tmm.chapters.structure import PARTS, STRUCTURE
+from graphic_tmm.chapters.structure import PARTS, REPLACING, STRUCTURE
+from graphic_tmm.chapters.structure.ink_replacing import replacing_views
 from graphic_tmm.chapters.structure.record import MOBILITY, parts
 from graphic_tmm.chapters.structure.table import (
     WORDS,
@@ -116,4 +117,4 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     return found
 
 
-SHOWN = Views(draw={"structure": structure_views, PARTS: part_views})
+SHOWN = Views(draw={"structure": structure_views, PARTS: part_views, REPLACING: replacing_views})
