@@ -114,6 +114,8 @@ def test_the_line_from_a_number_ends_on_its_link(name: str) -> None:
             if s.part in ("link", "slider", "stone", "cylinder") and s.position == main
         ]
         mine = [s for s in links if set(s.of) & set(ring.of) and len(set(s.of) - set(ring.of)) == 0]
+        # a wheel without a line of its own bears its number on its circle
+        mine = mine or [s for s in view.strokes if s.part == "wheel" and set(s.of) & set(ring.of)]
         near = min(
             shape(s).distance(shapely.Point(stroke.path[0][:2])) for s in mine for stroke in own
         )
