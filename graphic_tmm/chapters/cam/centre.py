@@ -200,14 +200,18 @@ def draw_limits(
     angles = limit_angles(draft, order)
     for k, (phase, angle) in enumerate(zip(diagrams.turn.ways, angles, strict=False), 1):
         left = sense * phase.sign
+        rows = zip(curves, diagrams.stretches, strict=True)
+        touched = [curve for curve, (of, _, _) in rows if of.sign == phase.sign]
+        letters = [f"(τ_{{{k}{n}}})" for n in range(1, len(touched) + 1)]
+        letters = letters if len(touched) > 1 else [f"(τ_{k})"]
         own = [
-            draft.draw(touch_curve, f"(τ_{k})", curve, up, angle, sense=left, left=left)
-            for curve, (of, _, _) in zip(curves, diagrams.stretches, strict=True)
-            if of.sign == phase.sign
+            draft.draw(touch_curve, letter, curve, up, angle, sense=left, left=left)
+            for letter, curve in zip(letters, touched, strict=True)
         ]
         line = own[0]
-        for other in own[1:]:
-            line = draft.draw(outer_parallel, f"(τ_{k})", line, other, left=left)
+        for n, other in enumerate(own[1:], 2):
+            letter = f"(τ_{k})" if other is own[-1] else f"(τ_{{{k}{n}}}′)"
+            line = draft.draw(outer_parallel, letter, line, other, left=left)
         found.append(line)
     return tuple(found)
 

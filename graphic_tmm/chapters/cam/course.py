@@ -21,7 +21,7 @@ def slides(base: Base) -> bool:
 def take_place(draft: Draft, base: Base, of: str, value: object) -> Mark:
     """Take places of the cam, degrees or m; ``of``: what stands below their letter."""
     if slides(base):
-        return draft.take(Number, f"s_{{c{of}}}" if of else "s_c", value, "m")
+        return draft.take(Number, f"s_{of or 'c'}", value, "m")
     return draft.take(Angle, f"φ_{of}" if of else "φ", value, "°")
 
 
@@ -35,5 +35,5 @@ def along_base(draft: Draft, base: Base, letter: str, place: Mark) -> Mark:
 def read_place(draft: Draft, base: Base, x: Mark) -> Mark:
     """Return the place of the cam that stands so far along the base (Length)."""
     if slides(base):
-        return draft.draw(in_si, "s_{ck}", x, base.mu, unit="m")
+        return draft.draw(in_si, "s_k", x, base.mu, unit="m")
     return draft.draw(f.angle_of_turn, "φ_k", x, base.length, unit="°")

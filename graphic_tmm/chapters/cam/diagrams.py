@@ -126,28 +126,29 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     mu_S, height = _scale_of_S(draft, order, stroke, unit)
     extents, steps, phases, shares = _divided(draft, turn, base, travel)
     whole = _Lift(stroke, height)
-    lifts, start = (whole,) * len(turn.phases), None
+    # of a cam that slides s is its travel
+    lifts, start, level = (whole,) * len(turn.phases), None, "y" if order.slides else "s"
     if order.phases:
-        lifts = tuple(_lift(draft, phase, mu_S, unit) for phase in turn.phases)
-        start = _level(draft, "s_0", turn.phases[0].ends[0], mu_S, unit)
+        lifts = tuple(_lift(draft, phase, mu_S, unit, level) for phase in turn.phases)
+        start = _level(draft, f"{level}_0", turn.phases[0].ends[0], mu_S, unit)
     finish = start
     if not turn.closed:
-        finish = _level(draft, "s_N", turn.phases[-1].ends[1], mu_S, unit)
+        finish = _level(draft, f"{level}_N", turn.phases[-1].ends[1], mu_S, unit)
     common = _Common(order, turn, base, lifts, extents, phases, shares, (), (start, finish))
     integrals = _integrals(draft, common)
     common = common._replace(integrals=integrals)
     views = BY_TRAVEL if order.slides else VIEWS
-    mu_V = mu_S
+    mu_V, per = mu_S, {which: order.scale_unit(which) for which in VIEWS}
     if order.mu_V is not None or order.slides:
         draft.open(views["V"])
         name = f"μ_{{{letters['V']}}}"
         mu_V = (
-            draft.scale(name, "1/mm")
+            draft.scale(name, per["V"])
             if order.slides
-            else draft.take(Number, name, order.mu_V, f"{unit}/mm")
+            else draft.take(Number, name, order.mu_V, per["V"])
         )
     draft.open(views["A"])
-    mu_A = draft.scale(f"μ_{{{letters['A']}}}", "(1/m)/mm" if order.slides else f"{unit}/mm")
+    mu_A = draft.scale(f"μ_{{{letters['A']}}}", per["A"])
     scales = (("S", mu_S), ("V", mu_V), ("A", mu_A))
     S, V, A = (_diagram(draft, common, which, mu, order.units[which]) for which, mu in scales)
     drawn = tuple(i for i in integrals if i is not None)
@@ -155,12 +156,12 @@ def draw_diagrams(draft: Draft, order: CamTask, turn: Turn) -> Diagrams:
     return Diagrams(turn, base, angle, stroke, steps, phases, strokes, S, V, A, drawn, travel)
 
 
-def _lift(draft: Draft, phase: Phase, mu: Mark, unit: str) -> _Lift:
+def _lift(draft: Draft, phase: Phase, mu: Mark, unit: str, level: str) -> _Lift:
     """Take the stroke of a phase and where it begins."""
     k = phase.number
     stroke = draft.take(Number, f"h_{k}", phase.motion.stroke, unit)
     height = draft.draw(to_board, f"h_{{S{k}}}", stroke, mu)
-    return _Lift(stroke, height, _level(draft, f"s_{k}", phase.low, mu, unit))
+    return _Lift(stroke, height, _level(draft, f"{level}_{k}", phase.low, mu, unit))
 
 
 def _level(draft: Draft, letter: str, high: float, mu: Mark, unit: str) -> Mark | None:

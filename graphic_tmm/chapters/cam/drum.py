@@ -103,13 +103,12 @@ def draw_drum_centre(draft: Draft, order: CamTask, diagrams: Diagrams) -> tuple[
     )
     for other in others:
         least = draft.draw(
-            f.greater_radius, f"{letter}_{{min}}", least, other, unit="m", why=why.GREATER
+            f.greater_radius, f"{letter}_{{min}}", least, other, unit="m", why=words_drum.GREATER
         )
-    reach = draft.draw(to_board, "O_{min}M", least)
+    reach = draft.draw(to_board, f"{letter}_m", least)
     least_centre = draft.draw(lay_off, "O_{min}", back, reach)
-    r0, radius = diagrams.travel, None
-    if r0 is not None:
-        radius = draft.draw(to_board, "L", r0)
+    if diagrams.travel is not None:
+        r0, radius = diagrams.travel, draft.draw(to_board, "L", diagrams.travel)
     else:
         r0, radius = choose_radius(draft, order, least, letter=letter)
     centre = draft.draw(lay_off, "O", back, radius, why=why.POLE)
@@ -135,10 +134,8 @@ def _over_travel(draft: Draft, diagrams: Diagrams, mu: Mark) -> Motion:
         draft.draw(p.second_over_travel, "a", one, A.chart.mu, travel, mu) for one in A.readings
     ]
     speed = draft.draw(p.rise_over_travel, "v", V.reading, V.chart.mu, travel, mu)
-    same = S.chart.mu == mu
-    return Motion(
-        S.reading if same else draft.draw(rescaled, "s", S.reading, mu), speed, tuple(seconds)
-    )
+    high = S.reading if S.chart.mu == mu else draft.draw(rescaled, "s", S.reading, mu)
+    return Motion(high, speed, tuple(seconds))
 
 
 def draw_development(
@@ -161,8 +158,8 @@ def draw_development(
     feet = draft.draw(lay_off, "M", base, x, why=why.FOOT)
     guides = draft.draw(square, "(i)", feet, base, sense=1)
     points = draft.draw(lay_off, "B", guides, of.displacement, why=why.PATH_POINT)
-    tangents = draft.draw(parallel, "(t)", points, drum.rays, sense=1, why=why.TANGENT)
-    normals = draft.draw(square, "(n)", points, tangents, sense=-1, why=why.NORMAL)
+    tangents = draft.draw(parallel, "(t)", points, drum.rays, sense=1, why=words_drum.TANGENT)
+    normals = draft.draw(square, "(n)", points, tangents, sense=-1, why=words_drum.NORMAL)
     rows = [of.pace] * len(diagrams.stretches)
     name = THEORETICAL if roller is not None else WORKING
     path = draw_contour(draft, name, diagrams, base, (points, normals), rows, 1)

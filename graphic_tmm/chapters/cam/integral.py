@@ -89,12 +89,16 @@ def draw_integral(
     for ends in phase.stretches:
         draft.draw(graph_of_stretch, "(s–s)", spots, first=ends[0], last=ends[1])
     high = draft.draw(measure_along, "h", ways.end, end, ways.up)
-    unit = stroke.unit
-    mu_S = draft.draw(f.scale_of_stroke, f"μ_{letters['S']}", stroke, high, unit=f"{unit}/mm")
+    unit = order.scale_unit("S")
+    mu_S = draft.draw(f.scale_of_stroke, f"μ_{letters['S']}", stroke, high, unit=unit)
     scale_V = (mu_S, base.mu, pole_V.distance)
-    mu_V = draft.draw(scale_of_derivative, f"μ_{{{letters['V']}}}", *scale_V, unit=f"{unit}/mm")
+    mu_V = draft.draw(
+        scale_of_derivative, f"μ_{{{letters['V']}}}", *scale_V, unit=order.scale_unit("V")
+    )
     scale_A = (mu_V, base.mu, pole_A.distance)
-    mu_A = draft.draw(scale_of_derivative, f"μ_{{{letters['A']}}}", *scale_A, unit=f"{unit}/mm")
+    mu_A = draft.draw(
+        scale_of_derivative, f"μ_{{{letters['A']}}}", *scale_A, unit=order.scale_unit("A")
+    )
     scales = {"S": mu_S, "V": mu_V, "A": mu_A}
     for which, axes in (("S", ways), ("V", speeds), ("A", first)):
         _settle(draft, axes, scales[which])

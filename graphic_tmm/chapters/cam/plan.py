@@ -179,7 +179,8 @@ def _draw_pair(draft: Draft, order: CamTask) -> Cam:
         draft, diagrams, centre, groove=order.grooved, straight=order.developed
     )
     edge = isinstance(follower, RollerFollower) and follower.edge
-    roller = None if edge else _roller(draft, order, centre, curvature)
+    size = diagrams.stroke if order.slides else centre.r0
+    roller = None if edge else _roller(draft, order, curvature, size)
     radius = roller.radius if roller is not None else None
     if isinstance(path, Drum):
         profile, path = draw_development(draft, order, diagrams, centre, path, radius)
@@ -234,12 +235,15 @@ def _refuse_triangle(order: CamTask) -> None:
         )
 
 
-def _roller(draft: Draft, order: CamTask, centre: Centre, curvature: TurnDiagram) -> RollerSize:
-    """Calculate how large the roller may be, by r0 and by the least curvature; choose."""
+def _roller(draft: Draft, order: CamTask, curvature: TurnDiagram, size: Mark) -> RollerSize:
+    """Calculate how large the roller may be, by r0 and by the least curvature; choose.
+
+    ``size``: r0; of a cam that slides the stroke, whose share is no limit but taken where none is given.
+    """
     draft.open(SLIDING if order.slides else DEVELOPMENT if order.developed else PROFILE)
     rows = [("ρ", order.share_of_curvature, curvature.extremes[0].value)]
-    if not order.slides:
-        rows.insert(0, ("r", order.share_of_r0, centre.r0))
+    if not order.slides or order.roller is None:
+        rows.insert(0, ("h" if order.slides else "r", order.share_of_r0, size))
     limits = []
     for name, share, whole in rows:
         k = draft.take(Number, f"k_{name}", share)
@@ -247,8 +251,6 @@ def _roller(draft: Draft, order: CamTask, centre: Centre, curvature: TurnDiagram
     if order.roller is not None:
         chosen = draft.take(Number, "r", order.roller, "m")
     else:
-        lesser = limits[0]
-        if len(limits) > 1:
-            lesser = draft.draw(f.lesser_radius, "[r]", *limits, unit="m")
+        lesser = draft.draw(f.lesser_radius, "[r]", *limits, unit="m")
         chosen = draft.draw(f.whole_mm_below, "r", lesser, unit="m")
     return RollerSize(None if order.slides else limits[0], limits[-1], chosen)

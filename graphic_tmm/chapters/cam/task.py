@@ -355,6 +355,11 @@ class CamTask:
         unit = "rad" if self.rocks else "m"
         return {"S": unit} | ({"V": "", "A": "1/m"} if self.slides else {"V": unit, "A": unit})
 
+    def scale_unit(self, which: str) -> str:
+        """The unit of a scale of theirs."""
+        unit = self.units[which] or "1"
+        return f"({unit})/mm" if "/" in unit else f"{unit}/mm"
+
 
 ASKED: SectionKey[CamTask] = SectionKey("cam")
 

@@ -323,7 +323,7 @@ def refuse_phases(phases: Sequence[Stage], *, rocks: bool, slides: bool = False)
             sum=turn, way=said("lengthen") if turn < TURN else said("shorten"), rest=abs(TURN - turn),
         )  # fmt: skip
         raise TaskError("cam", "phase", says)
-    if not rises + falls:
+    if not rises + (0.0 if slides else falls):
         raise TaskError("cam", "phase", said("the follower rises nowhere: write a phase with rise"))
     if not slides and abs(rises - falls) > SAME * max(rises, falls):
         says = said(

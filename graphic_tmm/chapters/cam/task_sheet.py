@@ -99,7 +99,7 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
         kind = _ROCKER if isinstance(follower, RockerFollower) else _FLAT
         kind = _FLAT_ROCKER if isinstance(follower, FlatRockerFollower) else kind
     if order.slides:
-        kind = words_plate.KINDS[getattr(follower, "edge", False)]
+        kind = words_plate.STATED[getattr(follower, "edge", False)]
     elif order.developed:
         kind = words_drum.STATED
     yield speaking(language)(kind)

@@ -258,20 +258,21 @@ def _extreme(
     ``above``: 1 for the highest, −1 for the lowest, 0 for the one farther from the axis.
     """
     if above == 0:
-        ends = [_top(draft, curves, way) for way in (1, -1)]
+        ends = [_top(draft, curves, way, letter) for way, letter in ((1, "h"), (-1, "l"))]
         return _placed(draft, axes, draft.draw(farther_from_axis, "k", *ends, free=True))
     return _placed(draft, axes, _top(draft, curves, above))
 
 
-def _top(draft: Draft, curves: Sequence[Mark], above: int) -> Mark:
-    letters = [f"k_{k}" for k in range(1, len(curves) + 1)] if len(curves) > 1 else ["k"]
+def _top(draft: Draft, curves: Sequence[Mark], above: int, name: str = "k") -> Mark:
+    letters = [f"{name}_{k}" for k in range(1, len(curves) + 1)] if len(curves) > 1 else [name]
     tops = [
         draft.draw(crest_of_curve, letter, curve, above=above, free=True)
         for letter, curve in zip(letters, curves, strict=True)
     ]
     point = tops[0]
-    for other in tops[1:]:
-        point = draft.draw(extreme_of_two, "k", point, other, above=above, free=True)
+    for k, other in enumerate(tops[1:], 2):
+        own = name if other is tops[-1] else f"{name}_{k}′"
+        point = draft.draw(extreme_of_two, own, point, other, above=above, free=True)
     return point
 
 

@@ -220,15 +220,13 @@ def _centre(drawn: Drawn, made: Cam, names: Sequence[str], lettered: bool) -> Dr
     limits = [made.order.pressure, made.order.pressure_return or made.order.pressure]
     metre, flat = unit("m", language), isinstance(made.centre, Convexity)
     radius = _radius(made)
+    least = f"{radius}_{{min}}" if made.order.developed else "r_{0min}"
+    rate = "L·dS/ds_{c}" if made.order.slides else "d^2S/dφ^2" if flat else "dS/dφ"
     told = CentreNames(
         names,
         f"S, {metre}",
-        f"d^2S/dφ^2, {metre}"
-        if flat
-        else f"L·dS/ds_{{c}}, {metre}"
-        if made.order.slides
-        else f"dS/dφ, {metre}",
-        f"{radius.rstrip('{0}_')}_{{{'min' if made.order.developed else '0min'}}} = {_mm(drawn, made.least)}",
+        f"{rate}, {metre}",
+        f"{least} = {_mm(drawn, made.least)}",
         f"{radius} = {_mm(drawn, made.r0)}",
         (f"{number(limits[0], language)}°", f"{number(limits[1], language)}°"),
         _offset(drawn, made),

@@ -65,7 +65,7 @@ TURNING = said(
 LIMIT = said(
     "Nearer to the axis than this point the pressure angle would pass its limit in this phase."
 )
-GREATER = said("The limits of rise and return have to hold both: the greater radius rules.")
+GREATER = said("The limits of rise and return have to hold both: the greater value rules.")
 POLE = said("The pole stands before the axis at the mean radius of the drum.")
 RAY = said(
     "While the drum turns by a radian the roller goes on along it by R and across it by dS/dφ: this ray is"
@@ -80,7 +80,7 @@ FOOT = said("Turned by φ, the drum has gone on by R·φ at its mean radius.")
 PATH_POINT = said(
     "Over this place of the circumference the roller's centre stands at its displacement."
 )
-TANGENT = said("The tangent of the path is parallel to the ray to the end of dS/dφ.")
-NORMAL = said("Roller and flank touch on the normal of the path.")
+TANGENT = said("The tangent of the path is parallel to the ray to the end of the derivative.")
+NORMAL = said("Cam and follower touch on the normal of the path.")
 DWELL = said("While the follower rests its path is parallel to the way of the cam.")
 FLANK = said("The outer flank touches the roller on the other side, on the same normal.")

@@ -56,10 +56,11 @@ FINDINGS = {
 }
 """By kind of finding."""
 
-KINDS = (
-    said("The cam is a plate that slides to and fro; its profile lifts a roller."),
-    said("The cam is a plate that slides to and fro; its profile lifts a knife edge."),
-)
+STATED = {
+    False: said("The cam is a plate that slides to and fro; its profile lifts a roller."),
+    True: said("The cam is a plate that slides to and fro; its profile lifts a knife edge."),
+}
+"""By whether the follower has an edge."""
 DIAGRAMS = said(
     "Diagrams of the follower's displacement and of its two derivatives by the travel of the cam are drawn."
 )
@@ -69,7 +70,6 @@ ASKS = (
 )
 
 RATE_AT = said("So much the follower would rise over the whole travel if it went on as here.")
-GREATER = said("The limits of rise and return have to hold both: the greater length rules.")
 POLE = said("The pole stands before the axis at the length of the cam.")
 RAY = said(
     "Over the length of the cam the follower would rise by what stands on the axis: this ray is parallel to "
@@ -86,5 +86,3 @@ TURNING = said(
 BASE_LINE = said("The cam slides along this line.")
 FOOT = said("When the cam has gone so far this place of it is under the follower.")
 PATH_POINT = said("Over this place of the cam the follower's point stands at its displacement.")
-NORMAL = said("Cam and follower touch on the normal of the path.")
-TANGENT = said("The tangent is parallel to the ray to the end of the slope on its axis.")

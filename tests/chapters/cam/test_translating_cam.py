@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
-from support.cams import SHAPES, Made, made
+from support.cams import SHAPES, Made, made, shapes
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
 from support.scenes import written
 from support.turned import inside, laid, picture
@@ -41,6 +41,11 @@ THIN = 5e-5
 NEAR = 0.1
 """A line is three times as broad on the page, mm."""
 EDGE = RollerFollower(edge=True)
+LAWS = (
+    *map(Law, SHAPES),
+    Law("constant acceleration", shares=(2.0, 1.0)),
+    Law("diagram", ((0.0, 0.0), (0.25, 1.0), (0.75, -1.0), (1.0, 0.0))),
+)
 LIFTS = (
     Stage(dwell=0.01),
     Stage(rise=0.06, stroke=0.015, law=Law("sine")),
@@ -66,7 +71,7 @@ def law_at(order: CamTask, s: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.nd
     for one in order.stages:
         inside = (s >= start) & (s <= start + one.angle)
         if one.sign:
-            shape, u = SHAPES[one.law.name], np.clip((s - start) / one.angle, 0, 1)
+            shape, u = shapes(one.law), np.clip((s - start) / one.angle, 0, 1)
             for k in range(3):
                 value = one.lift * shape[k](u) / one.angle**k
                 found[k] = np.where(inside, value + (high if k == 0 else 0.0), found[k])
@@ -114,14 +119,14 @@ def lowered(of: Made, s: np.ndarray) -> np.ndarray:
     return high
 
 
-@pytest.mark.turns(2)
-@pytest.mark.parametrize("law", SHAPES)
+@pytest.mark.turns(3)
+@pytest.mark.parametrize("law", LAWS, ids=str)
 @pytest.mark.parametrize("follower", [None, EDGE], ids=["roller", "edge"])
 def test_a_follower_lowered_on_the_plate_stands_where_its_law_puts_it(
-    law: str, follower: RollerFollower | None
+    law: Law, follower: RollerFollower | None
 ) -> None:
     more = {"roller": 0.008} if follower is None else {"follower": follower}
-    of = made(plate(rise_law=Law(law), **more))
+    of = made(plate(rise_law=law, **more))
     s = np.linspace(0.0005, 0.1195, 60)
     np.testing.assert_allclose(lowered(of, s), law_at(of.cam.order, s)[0], atol=THIN)
     assert of.cam.profile.outer is None
@@ -190,6 +195,8 @@ def test_a_cam_too_short_and_a_roller_too_large_are_findings() -> None:
     kappa = -bend / (1 + slope**2) ** 1.5
     assert told["plate undercut"].limit == pytest.approx(1000 / kappa.max(), rel=0.02)
     assert told["plate undercut"].angle == pytest.approx(1000 * dense[kappa.argmax()], abs=0.5)
+    chosen = made(plate())
+    assert chosen.one(chosen.cam.roller.radius) == pytest.approx(0.4 * 0.02)
     sharp = made(plate(rise=0.05, least_rho=0.03, roller=0.005))
     assert "plate sharp" in {one.kind for one in cam_findings(sharp.reading, sharp.cam)}
 
@@ -253,6 +260,7 @@ HEAD = 'title = "T"\nlanguage = "en"\n[cam]\nform = "translating"\nstroke = "20 
         ("rise = 80", "rise"),
         ('rise = "80 mm"\nupper_dwell = "80 deg"', "upper_dwell"),
         ('[[cam.phase]]\nrise = "80 deg"', r"phase\[1\].rise"),
+        ('[[cam.phase]]\nfall = "80 mm"', "phase"),
     ],
 )
 def test_what_a_plate_does_not_have_is_refused(tmp_path: Path, line: str, key: str) -> None:
