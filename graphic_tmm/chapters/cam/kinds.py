@@ -139,9 +139,6 @@ def _groove_flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
     held = drum or cam.groove
     rods = ("roller",) if drum or plate else ("roller", "rocker")
     none = said("a cam that slides has none; leave it out")
-    angles = said(
-        "the lines of a table are angles: of a cam that slides give points of its acceleration diagram"
-    )
     chosen = said("its scale is chosen here: leave it out")
     for wrong, name, says in (
         (held and cam.follower not in rods, "follower", said("a groove holds a roller: leave it out")),
@@ -164,8 +161,6 @@ def _groove_flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
          said("a cam that slides to and fro has no even speed: leave it out")),
         (plate and (cam.mass or cam.inertia), "mass" if cam.mass else "inertia",
          said("a spring is found over a cam that turns evenly: leave it out")),
-        *((plate and name in written, name, angles) for name in ("law_table", "return_table")),
-        (plate and any(one.law is not None and one.law.size for one in cam.phase), "phase", angles),
         (not (drum or plate) and cam.radius is not None, "radius",
          said("a disc has its least radius instead: write r0")),
     ):  # fmt: skip

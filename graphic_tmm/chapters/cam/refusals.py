@@ -278,16 +278,19 @@ def _fault_of_table(order: CamTask, motion: Stage) -> str:
             "the displacements of the table go from 0 to the stroke, or back, and not beyond"
         )
     if any(after - before <= EVEN for before, after in pairwise(shares)):
-        return said("the angles of the table go up from line to line")
+        return said("the first values of the lines of the table go up from line to line")
     for told, due in zip(motion.law.size, (motion.angle, motion.stroke or 0.0), strict=False):
         if abs(told - due) > EVEN * due:
             return said(
-                "the table is {long:g}° long and {high} high, its phase {angle:g}° and {stroke}: make them the "
-                "same",
-                long=motion.law.size[0], high=size_of(motion.law.size[1], order.rocks),
-                angle=motion.angle, stroke=size_of(motion.stroke or 0.0, order.rocks),
+                "the table is {long} long and {high} high, its phase {angle} and {stroke}: make them the same",
+                long=_extent_of(motion.law.size[0], order), high=size_of(motion.law.size[1], order.rocks),
+                angle=_extent_of(motion.angle, order), stroke=size_of(motion.stroke or 0.0, order.rocks),
             )  # fmt: skip
     return ""
+
+
+def _extent_of(value: float, order: CamTask) -> str:
+    return size_of(value, rocks=False) if order.slides else f"{value:g}°"
 
 
 def _fault_of(law: Law, base: float) -> str:

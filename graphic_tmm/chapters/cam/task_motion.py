@@ -109,7 +109,10 @@ def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
 
 
 def _table(value: object, names: Names) -> tuple[tuple[float, ...], ...]:
-    """Return lines of a table: angle (degrees), displacement (m, or rad), one of the last digit of both."""
+    """Return lines of a table: extent, displacement (m, or rad), one of the last digit of both.
+
+    The extent: degrees of a cam that turns, m of one that slides.
+    """
     if not isinstance(value, list) or not value:
         says = said('write lines of the table, [["0 deg", "0 mm"], ["10 deg", "0.8 mm"], ...]')
         raise ValueError(stands(value, says))
@@ -119,15 +122,19 @@ def _table(value: object, names: Names) -> tuple[tuple[float, ...], ...]:
             says = said('a line is an angle and a displacement, ["10 deg", "0.8 mm"]')
             raise ValueError(fault_in_list(item, says))
         digits = [quantities.last_digit(one) for one in item]
-        rows = ((quantities.parse(a, "angle"), _stroke(high)) for a, high in (item, digits))
+        rows = ((_along(a), _stroke(high)) for a, high in (item, digits))
         found.append(tuple(chain.from_iterable(rows)))
     return tuple(found)
+
+
+def _along(value: object) -> float:
+    return quantities.parse(value, "length" if quantities.is_a(value, "length") else "angle")
 
 
 def law_of(table: Sequence[tuple[float, ...]], *, own: bool = True) -> Law:
     """Return the law that a table gives, from its lower place: of a fall backwards.
 
-    ``table``: lines of an angle, a displacement, and one of the last digit of both. ``own``: it is the phase's
+    ``table``: lines of an extent, a displacement, and one of the last digit of both. ``own``: it is the phase's
     own; else another phase takes it as long, and as high, as that is itself.
     """
     lines = [(one[0] - table[0][0], *one[1:]) for one in table]
@@ -269,8 +276,11 @@ def stroke_faults(
     sections: dict[Path, Any] = {("cam",): told}
     sections |= {("cam", "phase", k): one for k, one in enumerate(told.get("phase", ()))}
     for path, one in sections.items():
-        for name in ("rise", "upper_dwell", "dwell", "fall", "lower_dwell"):
-            if name in one and quantities.is_a(one[name], "length") != (cam.form == PLATE):
+        names = ("rise", "upper_dwell", "dwell", "fall", "lower_dwell")
+        extents = {name: [one[name]] for name in names if name in one}
+        extents |= {name: [at for at, _ in one[name] if at != 0] for name in TABLES if name in one}
+        for name, places in extents.items():
+            if any(quantities.is_a(at, "length") != (cam.form == PLATE) for at in places):
                 wants = (
                     said('of a cam that slides it is a length; write, for example, "60 mm"')
                     if cam.form == PLATE

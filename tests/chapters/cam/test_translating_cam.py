@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import shapely
+from support.boards import in_usual_size
 from support.cams import SHAPES, Made, made, shapes
 from support.figures import assert_pictures_make_the_view, without_ink, without_source
 from support.scenes import written
@@ -27,10 +28,11 @@ from graphic_tmm.chapters.cam.ink_drum import (
 from graphic_tmm.chapters.cam.ink_rules import TRACELESS
 from graphic_tmm.chapters.cam.ink_scheme import SchemeNames
 from graphic_tmm.chapters.cam.kinds import RollerFollower
+from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.profile import Contour
 from graphic_tmm.chapters.cam.task import CamTask, Law
 from graphic_tmm.chapters.cam.task_motion import Stage
-from graphic_tmm.errors import SceneError
+from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.seen import Subject
@@ -348,3 +350,32 @@ def test_motion_at_any_place_of_the_cam_is_the_law(tmp_path: Path, more: str) ->
     np.testing.assert_allclose(rows["pressure"], np.degrees(np.arctan(slope)), atol=1e-7)
     point = found.profile["K" if "edge" in more else "B"]
     np.testing.assert_allclose(point, s + 1j * S, atol=1e-9)
+
+
+TABLE = [0.0, 2.0, 8.0, 15.0, 22.0, 28.0, 30.0]
+
+
+def test_a_table_of_lifts_stands_over_the_way_of_the_plate(tmp_path: Path) -> None:
+    """Its lines are lengths, and the follower is where they say, whatever the plate's length."""
+    lines = ", ".join(f'["{10 * k} mm", "{high} mm"]' for k, high in enumerate(TABLE))
+    text = f'rise = "60 mm"\nparts = 6\nlaw = "table"\nlaw_table = [{lines}]\n'
+    head = HEAD.replace("20 mm", "30 mm")
+    (drawn,) = in_usual_size(read(written(tmp_path, head + text)), exact=True).boards
+    cam = CAM_PLAN.on(drawn)
+    heights = drawn.reading.figure(cam.diagrams.S.reading)[0, :7] * drawn.value(
+        cam.diagrams.S.axes.mu
+    )
+    np.testing.assert_allclose(heights, np.array(TABLE) / 1000.0, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("line", "says"),
+    [
+        ('["0 deg", "0 mm"], ["30 deg", "10 mm"], ["60 deg", "20 mm"]', "of a cam that slides"),
+        (", ".join(f'["{10 * k} mm", "{4 * k} mm"]' for k in range(6)), "50 mm long .* 60 mm"),
+    ],
+)
+def test_a_table_of_another_length_is_refused(tmp_path: Path, line: str, says: str) -> None:
+    text = f'{HEAD}rise = "60 mm"\nlaw = "table"\nlaw_table = [{line}]\n'
+    with pytest.raises((SceneError, StructureError), match=says):
+        in_usual_size(read(written(tmp_path, text)), exact=True)
