@@ -133,11 +133,11 @@ def draw_picture(
         dict[str, Mark](),
         dict[str, Mark](),
     )
-    for member, given in motion.driving.items():
+    joined = (name for name in closing if name in points and name not in motion.driving)
+    for member in (*motion.driving, *joined):
         known = closing.get(member) or (before[-1] if before else None)
+        given = motion.driving.get(member, 0.0)
         omegas[member] = known or draft.take(Number, f"ω_{member}", given, "1/s")
-    omegas |= {member: omega for member, omega in closing.items() if member in points}
-    for member in omegas:
         at = points[member]
         speeds[at] = draft.draw(product, f"v_{at}", omegas[member], arms[at], unit="m/s")
         readings[at] = draft.draw(to_board, f"{at}{at.lower()}", speeds[at])
