@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import acos, atan, cos, pi, radians, sin, sqrt, tan
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,10 +16,12 @@ import pytest
 import shapely
 from shapely import affinity
 from support.each import each
+from support.scenes import written
 from support.teeth import Pair, pair
 
-from graphic_tmm.chapters.gears.task import GearTask
-from graphic_tmm.errors import StructureError
+from graphic_tmm.chapters.gears.task import ASKED, GearTask
+from graphic_tmm.errors import SceneError, StructureError
+from graphic_tmm.scene.read import read
 
 POINTS = 60
 """Of a flank of the wheel; chords lie less than 1e-4 of a module inside an involute."""
@@ -280,3 +283,12 @@ def test_figures_of_the_books() -> None:
 def test_what_is_no_rack_is_refused(changes: dict[str, Any], says: str) -> None:
     with pytest.raises(StructureError, match=says):
         pair(replace(GearTask(18, "rack", 0.005), **changes))
+
+
+def test_a_word_that_is_no_rack_is_refused(tmp_path: Path) -> None:
+    text = 'title = "T"\nlanguage = "en"\n[gears]\nz1 = 18\nz2 = "rak"\nm = "5 mm"\n'
+    with pytest.raises(SceneError, match='a whole number is wanted, or "rack"'):
+        read(written(tmp_path, text))
+    order = ASKED.of(read(written(tmp_path, text.replace("rak", "rack"))))
+    assert order is not None
+    assert order.racked
