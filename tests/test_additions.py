@@ -193,7 +193,7 @@ def test_a_key_with_a_view_is_three_files(tmp_path: Path) -> None:
         '        draft.open("hub")\n        draft.mu_l = line.mu\n        centre = draft.take(Point, "O", 0j)\n'
         '        hub = draft.draw(strike, "(h)", centre, draft.length("r_h", order.hub / 2))\n'
     )
-    done, shown = "contact, sliding, checks)", "    return [*found, _checks(drawn, made, high)]"
+    done, shown = "contact, sliding, checks, rack)", "    return [*found, _checks(drawn, made, high)]"
     head = "from __future__ import annotations\n"
     wanted = (
         "\nfrom graphic_tmm.board.operations.instruments import strike\n"
@@ -203,7 +203,7 @@ def test_a_key_with_a_view_is_three_files(tmp_path: Path) -> None:
         "    if made.hub is not None:\n        radius = float(drawn.reading[made.hub].radius[0, 0])\n"
         '        found.append(Drawing("hub", "hub", (circle("main", 0j, radius),)))\n'
     )
-    last = "    checks: tuple[Check, ...]\n"
+    last = "    rack: RackTeeth | None\n"
     edits = [
         ("chapters/gears/task.py", field, own + field),
         ("chapters/gears/plan.py", made, steps + made),
