@@ -125,7 +125,7 @@ def test_no_ink_of_a_plan_stands_on_a_task(name: str) -> None:
     parts = {"link", "guide", "pivot", "turning", "number", "stone", "slider", "pair", "load"}
     parts |= {"leader", "frame", "centre", "point", "rail", "joint", ""}
     parts |= {"wheel", "carrier", "contour", "circle", "axis", "sense", "dimension", "follower"}
-    parts |= {"roller", "lever", "face", "cylinder", "piston"}
+    parts |= {"roller", "lever", "face", "cylinder", "piston", "belt"}
     for svg in sheets(name):
         root = ElementTree.fromstring(svg)
         for group in root.iter(f"{SVG}g"):
