@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.chapters.structure import PARTS, REPLACING
-from graphic_tmm.chapters.structure.ink_replacing import replacing_views
 from graphic_tmm.chapters.structure.record import MOBILITY, Mobility
 from graphic_tmm.chapters.structure.replacing import replaced_formula
 from graphic_tmm.chapters.structure.table import (
@@ -17,6 +16,7 @@ from graphic_tmm.chapters.structure.table import (
     pair_rows,
 )
 from graphic_tmm.chapters.structure.views import part_views
+from graphic_tmm.chapters.structure.views_replacing import replacing_views
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.mechanism.groups import class_two

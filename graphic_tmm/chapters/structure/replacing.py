@@ -8,7 +8,7 @@ kind 1.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import Draft
@@ -53,18 +53,15 @@ class Replaced(NamedTuple):
 
 def replace(draft: Draft, positions: Positions) -> Iterator[Replaced]:
     """Yield what replaces each higher pair; its points are drawn unless they are the ends of a belt."""
-    known = [mark for body in positions.bodies.values() for mark in body.marks.values()]
+    taken = {letter for body in positions.bodies.values() for letter in body.link.points}
     for wheel in positions.wheels:
         rolling = wheel.rolling
         other = positions.bodies[rolling.arm].marks[rolling.other]
-        ends = (wheel.pitch, wheel.far) if wheel.span else _on_action(draft, wheel, other, known)
-        known += ends
+        ends = (wheel.pitch, wheel.far) if wheel.span else _on_action(draft, wheel, other, taken)
         yield Replaced(rolling, wheel.leg.pivot, ends[0], other, ends[1])
 
 
-def _on_action(
-    draft: Draft, wheel: Meshed, other: Mark, known: Sequence[Mark]
-) -> tuple[Mark, Mark]:
+def _on_action(draft: Draft, wheel: Meshed, other: Mark, taken: set[str]) -> tuple[Mark, Mark]:
     """Draw the line of action, and where the base circles touch it: that of the wheel, that of the other."""
     rolling, letter = wheel.rolling, wheel.rolling.letter
     common = draft.draw(square, f"({letter}τ)", wheel.pitch, wheel.leg.line, sense=1, why=TANGENT)
@@ -72,7 +69,10 @@ def _on_action(
     line = draft.draw(incline, f"({letter}N)", wheel.pitch, common, alpha, why=ACTION)
     found = list[Mark]()
     for at, link in ((wheel.leg.pivot, rolling.link), (other, rolling.on)):
-        name = f"N{link}" + "′" * sum(mark.name.startswith(f"N{link}") for mark in known)
+        name = f"N{link}"
+        while name in taken:
+            name += "′"
+        taken.add(name)
         out = draft.draw(square, f"({at.letter}{name})", at, line, sense=1, why=BASE)
         found.append(draft.draw(meet, name, out, line, why=BASE))
     return found[0], found[1]

@@ -13,7 +13,6 @@ from graphic_tmm.chapters.kinematics.ink_wheels import wheels
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.structure import PARTS, REPLACING, STRUCTURE
-from graphic_tmm.chapters.structure.ink_replacing import replacing_views
 from graphic_tmm.chapters.structure.record import MOBILITY, parts
 from graphic_tmm.chapters.structure.table import (
     WORDS,
@@ -21,6 +20,7 @@ from graphic_tmm.chapters.structure.table import (
     pair_table,
     structure_lines,
 )
+from graphic_tmm.chapters.structure.views_replacing import replacing_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views

@@ -15,9 +15,9 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions
-from graphic_tmm.chapters.structure.ink_replacing import replacing_views
 from graphic_tmm.chapters.structure.record import MOBILITY
 from graphic_tmm.chapters.structure.replacing import replace, replaced_formula
+from graphic_tmm.chapters.structure.views_replacing import replacing_views
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.studio import make
