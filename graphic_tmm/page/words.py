@@ -183,6 +183,7 @@ PARTS: dict[str, str] = {
     "path": said("paths"),
     "piston": said("pistons"),
     "pivot": said("fixed pivots"),
+    "plate": said("plates of cams"),
     "point": said("points"),
     "pole": said("poles"),
     "rim": said("rims"),
