@@ -193,7 +193,10 @@ def test_a_key_with_a_view_is_three_files(tmp_path: Path) -> None:
         '        draft.open("hub")\n        draft.mu_l = line.mu\n        centre = draft.take(Point, "O", 0j)\n'
         '        hub = draft.draw(strike, "(h)", centre, draft.length("r_h", order.hub / 2))\n'
     )
-    done, shown = "contact, sliding, checks, rack)", "    return [*found, _checks(drawn, made, high)]"
+    done, shown = (
+        "contact, sliding, checks, rack)",
+        "    return [*found, _checks(drawn, made, high)]",
+    )
     head = "from __future__ import annotations\n"
     wanted = (
         "\nfrom graphic_tmm.board.operations.instruments import strike\n"

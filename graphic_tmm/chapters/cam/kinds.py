@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import Any
 
 from graphic_tmm.board.bounds import Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Flaw, Said, key
+from graphic_tmm.scene.quantities import is_a
 
 EDGE, FLAT_ROCKER = "knife edge", "flat rocker"
 """The follower without a roller; the lever with a flat face."""
@@ -109,13 +111,17 @@ KEYS = {
 }  # fmt: skip
 """The keys that `follower_of` reads."""
 
+EXTENTS = ("rise", "upper_dwell", "dwell", "fall", "lower_dwell")
+TABLES = ("law_table", "return_table")
+"""Keys of phases, and of tables of lifts."""
 _OWN = {"lever": ("rocker",), "centres": ROCKING, "face": (FLAT_ROCKER,)}
 """Followers that have a size."""
 
 
-def flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
+def flaws(cam: Said, written: dict[str, Any]) -> Iterator[Flaw]:
     """Yield what contradicts the follower, or the form of its cam; ``written``: the section as it stands."""
     yield from _groove_flaws(cam, written)
+    yield from _extent_flaws(cam, written)
     for name, own in _OWN.items():
         given = getattr(cam, name) is not None
         if cam.follower in own and not given and name != "face":
@@ -131,6 +137,22 @@ def flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
     ):  # fmt: skip
         if wrong:
             yield Flaw(("cam", "roller"), says)
+
+
+def _extent_flaws(cam: Said, written: dict[str, Any]) -> Iterator[Flaw]:
+    """Yield phases, and lines of tables, that are angles of a cam that slides, or lengths of one that turns."""
+    slides = cam.form == PLATE
+    says = said('of a cam that turns it is an angle; write, for example, "60 deg"')
+    if slides:
+        says = said('of a cam that slides it is a length; write, for example, "60 mm"')
+    phases = enumerate(written.get("phase", ()))
+    for path, one in ((("cam",), written), *((("cam", "phase", k), own) for k, own in phases)):
+        extents = {name: [one[name]] for name in EXTENTS if name in one}
+        # a table may say 0 without its unit
+        extents |= {name: [at for at, _ in one[name] if at != 0] for name in TABLES if name in one}
+        for name, places in extents.items():
+            if any(is_a(at, "length") != slides for at in places):
+                yield Flaw((*path, name), says)
 
 
 def _groove_flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:

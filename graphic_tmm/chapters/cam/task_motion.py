@@ -10,7 +10,7 @@ from pkgutil import resolve_name
 from typing import Any
 
 from graphic_tmm.board.bounds import POSITIVE, Bound, TaskError
-from graphic_tmm.chapters.cam.kinds import PLATE
+from graphic_tmm.chapters.cam.kinds import PLATE, TABLES
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
@@ -253,7 +253,6 @@ def levels(phases: Sequence[Stage]) -> list[float]:
     return [round(high - min(found), 12) for high in found]
 
 
-TABLES = ("law_table", "return_table")
 WRONG_WAY = {
     1: said("the table of a rise goes up, from 0 to the stroke: write its lines the other way round"),
     -1: said("the table of a return goes down, from the stroke to 0: write its lines the other way round"),
@@ -276,17 +275,6 @@ def stroke_faults(
     sections: dict[Path, Any] = {("cam",): told}
     sections |= {("cam", "phase", k): one for k, one in enumerate(told.get("phase", ()))}
     for path, one in sections.items():
-        names = ("rise", "upper_dwell", "dwell", "fall", "lower_dwell")
-        extents = {name: [one[name]] for name in names if name in one}
-        extents |= {name: [at for at, _ in one[name] if at != 0] for name in TABLES if name in one}
-        for name, places in extents.items():
-            if any(quantities.is_a(at, "length") != (cam.form == PLATE) for at in places):
-                wants = (
-                    said('of a cam that slides it is a length; write, for example, "60 mm"')
-                    if cam.form == PLATE
-                    else said('of a cam that turns it is an angle; write, for example, "60 deg"')
-                )
-                yield Flaw((*path, name), wants)
         rows = {name: [high for _, high in one[name]] for name in TABLES if name in one}
         rows |= {"stroke": [one["stroke"]]} if "stroke" in one else {}
         for name, highs in rows.items():
