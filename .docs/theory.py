@@ -49,6 +49,10 @@ def links(those: tuple[Chapter, ...], language: Language, folder: str = "") -> s
     return ", ".join(f"[{called(one, language)}]({folder}{one.name}.md)" for one in those)
 
 
+as_written = cache(read)
+"""A scene as its file says; each is asked for by every chapter."""
+
+
 def shows(scene: Scene, chapter: Chapter) -> bool:
     """Whether sheets of a scene show something of a chapter; of one without places, whether it is given."""
     if chapter.places:
@@ -64,11 +68,12 @@ def scene_of(chapter: Chapter, language: Language) -> str:
     """
     named: list[str] = re.findall(r"``([\w-]+)``", _theory(chapter).partition("\nSources:")[2])
     order = [name for name in (*named, FIRST[language], *scenes()) if name in scenes()]
-    order.sort(key=lambda name: read(name).language != language)
+    order.sort(key=lambda name: as_written(name).language != language)
     return next(
         name
         for name in order
-        if shows(read(name), chapter) and (not chapter.board or _section(name, chapter, language))
+        if shows(as_written(name), chapter)
+        and (not chapter.board or _section(name, chapter, language))
     )
 
 
@@ -118,7 +123,7 @@ def _further(chapter: Chapter, language: Language) -> Iterator[str]:
     if chapter.sections:
         keys = ", ".join(f"[`{one.name}`](../keys/{one.name}.md)" for one in chapter.sections)
         yield f"**{word('keys of it', language)}:** {keys}\n"
-    shown = [name for name in scenes() if shows(read(name), chapter)]
+    shown = [name for name in scenes() if shows(as_written(name), chapter)]
     told = ", ".join(f"[{name}](../gallery/{name}.md)" for name in shown)
     yield f"**{word('shown by', language)}:** {told}\n"
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import random
 import tomllib
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -92,7 +92,8 @@ def aligned(sketch: dict[str, Any]) -> dict[str, Any]:
     return sketch
 
 
-HANDS = 13
+HANDS, FEW = 13, 4
+"""So often each mechanism is clicked when measured, and else."""
 ROW = 36
 
 
@@ -114,7 +115,7 @@ def with_speeds(text: str, file: Path) -> str:
     return rewritten(text, {"drive": drives})
 
 
-def drawings() -> Iterator[tuple[str, float, float]]:
+def drawings(hands: int) -> Iterator[tuple[str, float, float]]:
     """Scenes as hands click them: how far places are off, of the size, over the way and as drawn."""
     for file in BY_HAND:
         by = random.Random(file.parent.name)
@@ -122,7 +123,7 @@ def drawings() -> Iterator[tuple[str, float, float]]:
         low, high = first["sweep"]["low"], first["sweep"]["high"]
         meant = rows(file.read_text("utf-8"), file, low, high)
         size = size_of(first["sketch"])
-        for _ in range(HANDS):
+        for _ in range(hands):
             at = by.uniform(low, high)
             try:
                 there = shown(file, at=at)["sketch"]
@@ -147,13 +148,16 @@ def drawings() -> Iterator[tuple[str, float, float]]:
 
 
 @pytest.mark.slow
-def test_what_a_hand_clicks_is_the_mechanism_that_was_meant() -> None:
-    """Of 26 mechanisms, 13 times each, 98 % stand within 3 % of the size; none has a wrong side.
+def test_what_a_hand_clicks_is_the_mechanism_that_was_meant(
+    many: Callable[[int, int], int],
+) -> None:
+    """Of all mechanisms, 13 times each when measured, 98 % stand within 3 % of the size; none has a wrong side.
 
     Over the way of the drive 95 % are as near: without any rounding 97 % would be, hands themselves err so.
     """
-    found = list(drawings())
-    assert len(found) == HANDS * len(BY_HAND)
+    hands = many(HANDS, FEW)
+    found = list(drawings(hands))
+    assert len(found) == hands * len(BY_HAND)
     assert sum(here < 0.03 for _, _, here in found) >= 0.98 * len(found)
     assert sum(off < 0.03 for _, off, _ in found) >= 0.94 * len(found)
     assert max(off for _, off, _ in found) < 0.15  # another assembly is off by its whole height

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
+from functools import cache
 from pathlib import Path as File
 from typing import Any
 
@@ -60,14 +61,15 @@ def _may_be_added(section: Section, doc: Document) -> bool:
     return section.several or section.name not in doc
 
 
-def _fields(section: Section, speech: Speech) -> Iterator[FormKey]:
-    """Yield the keys of a section that take one value or a list, what has to be written first."""
+@cache
+def _fields(section: Section, speech: Speech) -> tuple[FormKey, ...]:
+    """Return the keys of a section that take one value or a list, what has to be written first."""
     found = []
     for name, key in keys_of(section.record).items():
         sort = key.kind.other if isinstance(key.kind, ByShape) else key.kind
         if isinstance(sort, Kind):
             found.append(form_key(name, blank(sort, key), sort, example_of(key, speech) or ""))
-    yield from sorted(found, key=lambda one: not one.field.wanted)
+    return tuple(sorted(found, key=lambda one: not one.field.wanted))
 
 
 def _key(asked: FormKey, doc: Document, speech: Speech) -> dict[str, Any]:
