@@ -96,16 +96,20 @@ def pytest_report_header(config):
 def pytest_collection_modifyitems(config, items):
     """Tests of one scene or part run of some scenes; of all with ``--measured`` or where they are marked so.
 
-    Of cases that take turns those run whose turn it is.
+    A scene may be given by its name or its file. Of cases that take turns those run whose turn it is.
     """
     from support import gallery, parts
+
+    files = {folder / "scene.toml": folder.name for folder in gallery.FOLDERS}
 
     known, everyday = {*gallery.ALL, *parts.PARTS}, {*gallery.EVERYDAY, *parts.EVERYDAY}
     left_out = set()
     for item in items:
         values = item.callspec.params.values() if hasattr(item, "callspec") else ()
-        names = [name for value in values if isinstance(name := getattr(value, "name", value), str)]
-        name = next((one for one in names if one in known), None)
+        called = [
+            files.get(one) if isinstance(one, Path) else getattr(one, "name", one) for one in values
+        ]
+        name = next((one for one in called if isinstance(one, str) and one in known), None)
         if name is not None and name not in everyday:
             item.add_marker(pytest.mark.slow)
             if item.get_closest_marker("every") is None:

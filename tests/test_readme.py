@@ -58,6 +58,7 @@ def test_five_commands_are_worked() -> None:
     assert list(dict.fromkeys(commands)) == ["draw", "table", "steps", "check", "accuracy"]
 
 
+@pytest.mark.every
 @pytest.mark.slow
 @pytest.mark.parametrize(("words", "shown"), examples(), ids=lambda x: str(x).split()[0])
 def test_worked_commands_print_what_is_shown(

@@ -41,17 +41,22 @@ def in_turn(cases: Iterable[Case], count: int, turn: int = TURN) -> list[Case]:
     return [cases[(turn + k * len(cases) // several) % len(cases)] for k in range(several)]
 
 
+SLOW = 3
+"""So many cases of a slow test run where no mark says how many; all of one that is marked ``every``."""
+
+
 def waiting(items: Iterable[Any]) -> set[Any]:
-    """Return the tests whose turn it is not, of those marked so: ``turns(count)`` of each run.
+    """Return the tests whose turn it is not: ``turns(count)`` of each run, of slow ones without a mark `SLOW`.
 
     Tests of a file that are cases of one thing are marked with its name, ``turns(count, name)``, and take turns
     together. Everyday tests and slow ones take turns apart.
     """
     cases = defaultdict(list)
     for item in items:
-        if mark := item.get_closest_marker("turns"):
-            slow = item.get_closest_marker("slow") is not None
-            count, name = (*mark.args, item.originalname)[:2]
+        slow, mark = item.get_closest_marker("slow") is not None, item.get_closest_marker("turns")
+        every = item.get_closest_marker("every") is not None
+        if mark or (slow and not every and hasattr(item, "callspec")):
+            count, name = (*(mark.args if mark else [SLOW]), item.originalname)[:2]
             cases[item.path, name, slow, count].append(item)
     found: set[Any] = set()
     for (*_, count), all_ in cases.items():
