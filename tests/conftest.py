@@ -25,10 +25,11 @@ from support.turns import TURN, Wanted, waiting
 install()
 sys.dont_write_bytecode = False
 
-# Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones, and more;
+# Machines are noisy: no example is timed. CI draws the same examples each time, a person new ones;
 # the everyday run a few.
-settings.register_profile("person", deadline=None, max_examples=50)
-settings.register_profile("ci", deadline=None, derandomize=True, database=None, max_examples=25)
+settings.register_profile("measured", deadline=None, max_examples=50)
+settings.register_profile("person", deadline=None, max_examples=20)
+settings.register_profile("ci", deadline=None, derandomize=True, database=None, max_examples=20)
 settings.register_profile("everyday", deadline=None, max_examples=FEW)
 
 
@@ -148,4 +149,5 @@ def pytest_collection_finish(session):
 def pytest_configure(config):
     Wanted.all = config.getoption("--measured")
     everyday = config.option.markexpr == "not slow"
-    settings.load_profile("everyday" if everyday else "ci" if os.environ.get("CI") else "person")
+    usual = "measured" if Wanted.all else "person"
+    settings.load_profile("everyday" if everyday else "ci" if os.environ.get("CI") else usual)

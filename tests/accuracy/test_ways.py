@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from functools import cache
 from itertools import pairwise
@@ -150,8 +151,9 @@ def test_the_nearest_is_hardly_less_exact_than_any(k: int, percent: float) -> No
 
 
 @pytest.mark.slow
-def test_of_a_hundred_budgets_ninety_five_are_kept() -> None:
-    """20 random mechanisms, five budgets each; see benchmarks/budgets.py."""
-    found = [one for k in range(20) for one in kept(k, BUDGETS, 1000)]
-    assert len(found) >= 90
+def test_of_a_hundred_budgets_ninety_five_are_kept(many: Callable[[int, int], int]) -> None:
+    """20 random mechanisms when measured, else 6, five budgets each; see benchmarks/budgets.py."""
+    count = many(20, 6)
+    found = [one for k in range(count) for one in kept(k, BUDGETS, 1000)]
+    assert len(found) >= 4.5 * count
     assert sum(found) >= 0.95 * len(found)

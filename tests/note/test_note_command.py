@@ -42,6 +42,7 @@ def test_a_format_that_there_is_none_of_is_refused(tmp_path: Path) -> None:
     assert "docx" in told
 
 
+@pytest.mark.slow
 def test_files_are_named_after_the_scene_and_speak_the_language_asked_for(tmp_path: Path) -> None:
     status, _ = run(SCENE, "-f", "html", "-l", "en", "-o", str(tmp_path))
     assert status == 0
@@ -50,6 +51,7 @@ def test_files_are_named_after_the_scene_and_speak_the_language_asked_for(tmp_pa
     assert "Explanatory note" in page
 
 
+@pytest.mark.slow
 def test_what_a_scene_is_called_is_data(tmp_path: Path) -> None:
     """A title with signs that formats know is told as it is written, in each of them."""
     text = (SHEETS / "slider-diagrams" / "scene.toml").read_text(encoding="utf-8")

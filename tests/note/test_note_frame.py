@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pypdfium2
+import pytest
 from support.gallery import SHEETS
 
 from graphic_tmm.note.note import note_files, wanted
@@ -40,6 +41,7 @@ def dark(page: pypdfium2.PdfPage, x: float, low: float, high: float) -> bool:
     return bool((strip.min(axis=1) < 128).all())
 
 
+@pytest.mark.slow
 def test_pages_behind_the_title_page_have_frames_and_text_keeps_within_them() -> None:
     book = pages(frame=True)
     assert len(book) > 3

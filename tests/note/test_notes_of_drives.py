@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from note.test_notes_of_engines import told
 from support.each import each
 from support.notes import made, noted
@@ -17,6 +18,8 @@ from graphic_tmm.note.document import (
     numbers,
     walk,
 )
+
+pytestmark = pytest.mark.slow
 
 
 def figures(name: str) -> set[str]:

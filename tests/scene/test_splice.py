@@ -139,6 +139,7 @@ def at(doc: Any, path: tuple[str | int, ...]) -> Any:
     return doc
 
 
+@pytest.mark.turns(12)
 @pytest.mark.parametrize("seed", range(40))
 def test_a_value_is_changed_and_no_other_byte(seed: int) -> None:
     written = Author(seed).write()
@@ -150,6 +151,7 @@ def test_a_value_is_changed_and_no_other_byte(seed: int) -> None:
         assert at(tomllib.loads(made), path) == tomllib.loads(f"x = {value}")["x"]
 
 
+@pytest.mark.turns(12)
 @pytest.mark.parametrize("seed", range(40))
 def test_a_key_is_added_on_a_line_of_its_own(seed: int) -> None:
     written = Author(seed).write()
@@ -167,6 +169,7 @@ def test_a_key_is_added_on_a_line_of_its_own(seed: int) -> None:
     assert tomllib.loads(made)["other"] == {"new": 1}
 
 
+@pytest.mark.turns(12)
 @pytest.mark.parametrize("seed", range(40))
 def test_a_key_is_added_in_braces_and_beside_dots(seed: int) -> None:
     written = Author(seed).write()
@@ -178,6 +181,7 @@ def test_a_key_is_added_in_braces_and_beside_dots(seed: int) -> None:
         assert is_subsequence(written.text, made)
 
 
+@pytest.mark.turns(12)
 @pytest.mark.parametrize("seed", range(40))
 def test_a_key_is_taken_out_and_its_comment_stays(seed: int) -> None:
     written = Author(seed).write()

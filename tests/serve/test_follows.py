@@ -65,6 +65,7 @@ def test_what_is_served_is_what_the_commands_draw_and_an_edit_is_drawn_anew(tmp_
     run(serving)
 
 
+@pytest.mark.slow
 def test_comments_and_layout_draw_nothing_anew(tmp_path: Path) -> None:
     file = small(tmp_path)
 
@@ -81,6 +82,7 @@ def test_comments_and_layout_draw_nothing_anew(tmp_path: Path) -> None:
     run(serving)
 
 
+@pytest.mark.slow
 def test_that_no_speed_is_given_is_told(tmp_path: Path) -> None:
     file = small(tmp_path)
 
@@ -125,6 +127,7 @@ def test_faults_are_told_by_line_and_the_last_sheets_stay(tmp_path: Path) -> Non
     run(serving)
 
 
+@pytest.mark.slow
 def test_a_page_that_fails_leaves_the_sheets_new_and_says_so(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -169,6 +172,7 @@ def test_errors_speak_the_language_of_the_scene(tmp_path: Path) -> None:
     run(serving)
 
 
+@pytest.mark.slow
 def test_a_composition_beside_the_scene_is_used(tmp_path: Path) -> None:
     file = small(tmp_path)
     given = '[[sheet]]\norder = 1\nformat = "A4"\n[sheet.views]\npositions = [{x}, 90.0]\n'
@@ -190,6 +194,7 @@ def test_a_composition_beside_the_scene_is_used(tmp_path: Path) -> None:
     run(serving)
 
 
+@pytest.mark.slow
 def test_a_folder_is_a_gallery_and_a_new_scene_is_seen(tmp_path: Path) -> None:
     small(tmp_path, "one")
     (tmp_path / "two.toml").write_text(SMALL, encoding="utf-8")
@@ -220,6 +225,7 @@ def test_a_folder_is_a_gallery_and_a_new_scene_is_seen(tmp_path: Path) -> None:
     run(serving)
 
 
+@pytest.mark.slow
 def test_two_browsers_are_told_the_same(tmp_path: Path) -> None:
     file = small(tmp_path)
 
@@ -231,6 +237,7 @@ def test_two_browsers_are_told_the_same(tmp_path: Path) -> None:
     run(serving)
 
 
+@pytest.mark.slow
 def test_an_edit_that_is_taken_back_amid_its_drawing_leaves_the_sheets_of_before(
     tmp_path: Path,
 ) -> None:
@@ -254,6 +261,7 @@ def test_an_edit_that_is_taken_back_amid_its_drawing_leaves_the_sheets_of_before
     run(serving)
 
 
+@pytest.mark.slow
 def test_what_changes_before_a_folder_is_watched_is_seen(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -278,6 +286,7 @@ def test_what_changes_before_a_folder_is_watched_is_seen(
     run(serving)
 
 
+@pytest.mark.slow
 def test_what_took_too_long_is_no_fault_of_the_scene_and_is_drawn_again(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -38,6 +38,7 @@ def shown(file: Path, **asked: Any) -> dict[str, Any]:
     return scheme(file.read_bytes(), file, SchemeAct(**asked), EN)
 
 
+@pytest.mark.turns(9)
 @pytest.mark.parametrize("file", [*SCENES, *FILES.values()], ids=[*NAMES, *FILES])
 def test_what_nothing_has_moved_keeps_its_bytes(file: Path) -> None:
     first = shown(file)

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support.each import each
+from support.examples import most
 from support.unknown_values import numbers_on
 
 from graphic_tmm.board.compile.tape import INPUT, Ref, Sign, Tape, of_known, of_pass
@@ -81,7 +82,7 @@ def test_a_product_by_nothing_is_spared_only_where_nothing_undefined_is_lost() -
 
 
 @pytest.mark.parametrize("moving", [True, False])
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=most(100), deadline=None)
 @given(data=st.data())
 def test_any_arithmetic_is_that_of_numpy(data: st.DataObject, moving: bool) -> None:
     """Random sequences of it, of numbers and of what is undefined."""

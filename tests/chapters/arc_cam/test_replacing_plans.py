@@ -143,6 +143,8 @@ def test_a_position_that_is_not_there_is_refused_by_its_key(tmp_path: Path) -> N
     assert "0 to 16" in str(told.value)
 
 
+@pytest.mark.slow
+@pytest.mark.turns(2)
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_note_tells_the_plans(kind: str, tmp_path: Path) -> None:
     work = graphic_tmm.draw(scene(tmp_path, f"{FOLLOWERS[kind]}\naccelerations = [4]"))

@@ -9,6 +9,7 @@ from functools import cache
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 from support.gallery import exact
 from support.lessons_told import (
     MU_A,
@@ -37,7 +38,7 @@ def normal(position: str = "5", mm: float = 44.3) -> Judged:
     return row("accelerations", position, "an2", DUE, NORMAL, mm=mm)
 
 
-@settings(max_examples=30)
+@settings(max_examples=most(30))
 @given(st.floats(20.0, 120.0), st.sampled_from(["1", "3", "5"]))
 def test_the_formula_has_the_students_own_number(ab: float, position: str) -> None:
     ab = round(ab, 1)
@@ -119,7 +120,7 @@ def numbers(made: DrawnScene, plan: str) -> list[tuple[str, str]]:
     ]
 
 
-@settings(max_examples=20)
+@settings(max_examples=most(20))
 @given(st.data())
 def test_the_printed_numbers_come_to_the_printed_result(data: st.DataObject) -> None:
     """Whatever was read of the six-bar's plan of velocities."""

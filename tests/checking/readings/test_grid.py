@@ -10,6 +10,7 @@ import zipfile
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from support.examples import most
 from support.workbooks import Formula, Shown, workbook, zipped
 
 from graphic_tmm.checking.readings.read import read_readings
@@ -135,7 +136,7 @@ def test_titles_that_are_missing_are_told(folder):
     ),
     language=st.sampled_from(["en", "ru"]),
 )
-@settings(max_examples=30, deadline=None)
+@settings(max_examples=most(30), deadline=None)
 @pytest.mark.slow
 def test_what_is_written_is_read_back(folder, rows, language):
     taken = [

@@ -57,6 +57,7 @@ def understood(way: W) -> tuple[dict[tuple[str, str, str], tuple[str, float]], t
     return found, notes
 
 
+@pytest.mark.turns(60)
 @pytest.mark.parametrize("way", [*FIRST, *LAST], ids=lambda way: way.name)
 def test_a_way_of_writing_is_understood_or_refused(way: W) -> None:
     due = REFUSED if way.name in NOT_YET else way.due

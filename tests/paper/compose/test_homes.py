@@ -7,6 +7,7 @@ from pathlib import Path
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from support import asked
+from support.examples import most
 
 from graphic_tmm.fitting.formats import room_on
 from graphic_tmm.paper.compose.homes import homed, spared
@@ -58,7 +59,7 @@ def area(boxes: list[Outline], chosen: tuple[int, ...]) -> float:
     return sum(boxes[k].width * boxes[k].height for k in chosen)
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=most(60), deadline=None)
 @given(sheets)
 def test_only_what_is_said_of_plans_moves_and_only_to_them(shown: list[list[Outline]]) -> None:
     boxes, before = numbered(shown)
@@ -74,7 +75,7 @@ def test_only_what_is_said_of_plans_moves_and_only_to_them(shown: list[list[Outl
             assert fits([boxes[k] for k in own], room) is not None
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=most(60), deadline=None)
 @given(sheets)
 def test_no_sheet_is_emptied_for_what_is_said_of_plans(shown: list[list[Outline]]) -> None:
     boxes, before = numbered(shown)
@@ -115,7 +116,7 @@ def moves_by(places: list[tuple[float, float, float, float]], room: Room, way: f
     return free
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(
     st.lists(st.one_of(rows, notes, tables), min_size=1, max_size=5),
     st.sampled_from([("A4", "en"), ("A4", "ru"), ("A3", "ru"), ("A2", "en")]),
@@ -135,7 +136,7 @@ def test_as_much_is_left_above_all_views_as_below(
     assert abs(moves_by(places, room, 1.0) - moves_by(places, room, -1.0)) < LEAST
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=most(60), deadline=None)
 @given(sheets, st.lists(st.booleans(), min_size=4, max_size=4))
 def test_only_one_small_table_alone_gives_up_its_sheet(
     shown: list[list[Outline]], may: list[bool]

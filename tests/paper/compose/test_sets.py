@@ -173,7 +173,7 @@ def test_a_table_stands_beside_the_last_of_a_row() -> None:
     assert found[3].real > found[2].real + boxes[2].width
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=most(40), deadline=None)
 @given(st.floats(20, 140), st.floats(0, 3))
 def test_a_millimetre_decides_on_a_small_sheet(wide: float, left: float) -> None:
     room = room_on("A4", "en", False)
