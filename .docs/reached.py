@@ -2,33 +2,40 @@
 
 from __future__ import annotations
 
+import re
 from functools import cache
-from html.parser import HTMLParser
+from html import unescape
 from pathlib import Path
+from typing import NamedTuple
 from urllib.parse import unquote, urlsplit
 
 
-class _Seen(HTMLParser):
+class _Seen(NamedTuple):
     """What a page refers to, and the places in it that others may refer to."""
 
-    def __init__(self) -> None:
-        super().__init__()
-        self.targets: list[str] = []
-        self.places: set[str] = set()
+    targets: list[str]
+    places: set[str]
 
-    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
-        """Take what a tag refers to, and its name."""
-        for name, value in attrs:
-            if name in ("href", "src") and value and tag != "base":
-                self.targets.append(value)
-            elif name in ("id", "name") and value:
-                self.places.add(value)
+
+UNREAD = re.compile(r"<!--.*?-->|(<(script|style)\b[^>]*>).*?</\2\s*>", re.DOTALL | re.IGNORECASE)
+"""What holds no tags; a script may be a file that its own tag names."""
+TAG = re.compile(r"""<(?!base\b)[a-z](?:[^<>"']|"[^"]*"|'[^']*')*>""", re.IGNORECASE)
+VALUE = re.compile(
+    r"""\s(href|src|id|name)\s*=\s*(?:"([^"]*)"|'([^']*)'|([^\s"'>]+))""", re.IGNORECASE
+)
 
 
 @cache
 def _seen(page: Path) -> _Seen:
-    found = _Seen()
-    found.feed(page.read_text(encoding="utf-8"))
+    found = _Seen([], set())
+    text = UNREAD.sub(lambda unread: unread[1] or "", page.read_text(encoding="utf-8"))
+    for tag in TAG.finditer(text):
+        for name, *values in VALUE.findall(tag[0]):
+            value = unescape("".join(values))
+            if name.lower() not in ("href", "src"):
+                found.places.add(value)
+            elif value:
+                found.targets.append(value)
     return found
 
 

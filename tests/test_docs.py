@@ -152,6 +152,11 @@ def test_a_lost_link_is_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
     assert lost(tmp_path) == []
     page.write_text('<a href="#gone"></a><img src="b.svg"><a href="../out.html"></a>')
     assert len(lost(tmp_path)) == 3
+    unread = """<script>b = '<a href="c.html">'</script><!-- <a href="d.html"> -->"""
+    page.write_text(
+        f"""{unread}<a title="a > b" href='e&amp;f.html'></a><SCRIPT SRC=g.js></SCRIPT>"""
+    )
+    assert lost(tmp_path) == ["a.html: e&f.html leads nowhere", "a.html: g.js leads nowhere"]
 
 
 def test_the_site_is_published_as_it_is_built_here() -> None:

@@ -38,7 +38,7 @@ def test_a_share_is_what_goes_when_its_source_is_switched_off() -> None:
     agree("crank-rocker", "student", 6_000, 0.03)
 
 
-@pytest.mark.turns(2, "sources")
+@pytest.mark.turns(1, "sources")
 @pytest.mark.slow
 @pytest.mark.parametrize("name", SCENES)
 def test_shares_are_known_to_three_hundredths(name: str) -> None:
