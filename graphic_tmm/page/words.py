@@ -197,5 +197,6 @@ PARTS: dict[str, str] = {
     "turning": said("sense of the crank"),
     "vector": said("vectors"),
     "wheel": said("wheels"),
+    "belt": said("belts"),
 }
 """By what a stroke is a part of (`Stroke.part`)."""
