@@ -32,7 +32,7 @@ GOOD: Mapping[str, dict[str, Any]] = {
 }
 RECORDS = {"cam": CamTask, "gears": GearTask, "planetary": PlanetaryTask}
 TABLES = {"cam": "CamTable", "gears": "GearsTable", "planetary": "PlanetaryTable"}
-LISTED = {"stations", "behind", "before", "teeth"}
+LISTED = {"stations", "behind", "before", "closed", "teeth"}
 SLIGHT = 1e-6
 
 
@@ -94,6 +94,9 @@ def _written(folder: Path, section: str, changes: Mapping[str, object]) -> Path:
     keys = GOOD[section] | dict(changes)
     if "transmission" in changes:
         del keys["pressure"]
+    if "closed" in changes:
+        del keys["ratio"]
+        keys["teeth"] = [24, 24, 72]
     lines = [f"{k} = {v!r}".replace("'", '"') for k, v in keys.items()]
     path = folder / "scene.toml"
     head = 'title = "T"\nlanguage = "en"\n[[sheet]]\nplace = ["{}"]\n[{}]\n'
@@ -120,6 +123,7 @@ def _accepted(folder: Path, case: Case) -> bool:
     value: object = [case.value] if case.key in ("stations",) else case.value
     value = [case.value, 20] if case.key in ("behind", "before") else value
     value = [case.value, "?", "?"] if case.key == "teeth" else value
+    value = [["H", case.value, 20], ["3", 60, 30]] if case.key == "closed" else value
     path = _written(folder, case.section, {**_together(case), case.key: value})
     faults = _faults(path)
     text = path.read_text(encoding="utf-8").splitlines()
@@ -186,6 +190,9 @@ def test_what_the_schema_tells_the_plan_takes(case: Case, tmp_path: Path) -> Non
         listed = {"teeth": (value, None, None), "satellites": (value,), "stations": (value,)}
         listed |= dict.fromkeys(("behind", "before"), ((value, 20),))
         changed = replace(order, **{key: listed[key]})
+    elif key == "closed":
+        closed = (("H", (value, 20)), ("3", (60, 30)))
+        changed = replace(order, ratio=None, teeth=(24, 24, 72), closed=closed)  # type: ignore[arg-type]
     else:
         changed = replace(order, **_together(case) | {key: value})
     refused = _refused(case.section, changed)

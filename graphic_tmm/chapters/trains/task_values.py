@@ -86,9 +86,10 @@ def _closed(value: object, names: Names) -> tuple[tuple[str, tuple[int, ...]], .
         "two shafts are wanted, each with the wheels on it and onward to a shaft of both: "
         '[["H", 30, 20], ["3", 32, 18]]'
     )
-    if not isinstance(value, list) or len(value) != 2 or any(len(row) < 3 for row in value):
+    rows = value if isinstance(value, list) else []
+    if len(rows) != 2 or not all(isinstance(row, list) and len(row) > 2 for row in rows):
         raise ValueError(stands(value, says))
-    found = tuple((MEMBER.read(row[0], names), *_rows(row[1:], names)) for row in value)
+    found = tuple((MEMBER.read(row[0], names), *_rows(row[1:], names)) for row in rows)
     if found[0][0] == found[1][0]:
         raise ValueError(stands(value, says))
     return found

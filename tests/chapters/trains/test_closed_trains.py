@@ -227,6 +227,8 @@ def test_power_circulates_where_one_member_gives_what_the_other_takes(tmp_path: 
         (WHEELS + "ratio = 4\n", "no ratio that teeth are sought by"),
         (WHEELS.replace('["3"', '["1"'), "two shafts are wanted"),
         (WHEELS.replace("20, 60", "20"), "two shafts are wanted"),
+        ("closed = [20, 60]\n", "two shafts are wanted"),
+        ('closed = "H"\n', "two shafts are wanted"),
         (WHEELS.replace("60, 20, 30", "60, 0"), "tooth numbers"),
         (WHEELS.replace('"3"', '"5"'), "two members are closed: of 1, 3, H"),
         (WHEELS.replace('"3"', "3"), "closed"),
