@@ -87,6 +87,8 @@ def _closed(value: object, names: Names) -> tuple[tuple[str, tuple[int, ...]], .
         '[["H", 30, 20], ["3", 32, 18]]'
     )
     rows = value if isinstance(value, list) else []
+    if value == []:
+        return ()
     if len(rows) != 2 or not all(isinstance(row, list) and len(row) > 2 for row in rows):
         raise ValueError(stands(value, says))
     found = tuple((MEMBER.read(row[0], names), *_rows(row[1:], names)) for row in rows)
@@ -122,7 +124,7 @@ _SHAFT = {
     "items": {"anyOf": [dict(TEETH.schema), MEMBER.schema({})]},
     "minItems": 3,
 }
-CLOSED = Kind(_closed, {"type": "array", "items": _SHAFT, "minItems": 2, "maxItems": 2}, TEETH)
+CLOSED = Kind(_closed, {"type": "array", "items": _SHAFT, "maxItems": 2}, TEETH)
 ROWS = Kind(_rows, {"type": "array", "items": {"anyOf": [dict(TEETH.schema), _ROW]}}, TEETH)
 SATELLITES = Kind(
     _satellites,
