@@ -142,6 +142,8 @@ def _posed(
                 return Pose(at - z * turn(angle), angle)
         for angle in _held(link, mechanism, poses):
             return Pose(at - z * turn(angle), angle)
+        if len(link.points) == 1 and not (link.guides or link.slides):
+            return Pose(at - z)  # a wheel about its pin: however it is turned, it looks the same
     return None
 
 

@@ -73,3 +73,11 @@ def test_what_nothing_holds_is_named() -> None:
     )
     with pytest.raises(ValueError, match=r"^4$"):
         poses_of(Mechanism(frame, links, _crank()), {"O": 0j, "A": 0.1j, "D": 1j, "X": 2j})
+
+
+def test_a_wheel_about_one_pin_lies_as_it_is() -> None:
+    """It has one letter and nothing that slides: how it is turned cannot be seen."""
+    links = (Link(1, {"O": 0j, "A": 0.1 + 0j}), Link(4, {"D": 0j}))
+    places = {"O": 0j, "A": 0.1j, "D": 1 + 0j}
+    poses = poses_of(Mechanism(Link(0, {"O": 0j, "D": 1 + 0j}), links, _crank()), places)
+    assert (poses[4].origin, poses[4].angle) == (1 + 0j, 0.0)
