@@ -300,6 +300,13 @@ def speed_behind(speed: Number, ratio: Number) -> Number:
 
 
 @formula(
+    why=said("The rack runs as fast as the pitch circle of its wheel: a pitch with each tooth.")
+)
+def speed_of_rack(module: Number, z: Number, n: Number) -> Number:
+    """π·{module}·{z}·{n}/60"""
+
+
+@formula(
     why=said(
         "The satellite's rims come into the same places again after as many teeth as their common divisor "
         "allows."

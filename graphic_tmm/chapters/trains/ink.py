@@ -14,7 +14,7 @@ from shapely.geometry.base import BaseGeometry
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.trains.formulas import next_satellite
-from graphic_tmm.chapters.trains.ink_pairs import occupied, wheels_of
+from graphic_tmm.chapters.trains.ink_pairs import occupied, racks_of, wheels_of
 from graphic_tmm.chapters.trains.ink_rates import (
     draw_pole,
     picture_letters,
@@ -194,7 +194,8 @@ def draw_planetary_ink(on: Subject, made: Planetary, captions: Captions) -> Draw
 def _bodies(ink: TrainInk) -> Mapping[str, tuple[Mark, ...]]:
     """What the bodies of the scheme stand on, by their names."""
     told = [figure for kind in ("disc", "pair", "arm") for figure in ink.figures(kind)]
-    return {figure.name: figure.marks for figure in told}
+    marks = {figure.name: figure.marks for figure in told}
+    return marks | {rack: marks[on] for rack, (on, _) in racks_of(ink.scheme.outside).items()}
 
 
 def _scheme(ink: TrainInk) -> Iterator[Ink]:

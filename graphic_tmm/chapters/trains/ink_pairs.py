@@ -20,6 +20,10 @@ STUB = 2.5
 """How far a shaft goes on behind its last wheel, mm."""
 
 
+RACK = 4.0
+"""Height of the section of a rack, mm."""
+
+
 class Side(NamedTuple):
     """A wheel from its side: two opposite points of its pitch circle and its centre."""
 
@@ -50,6 +54,17 @@ def wheels_of(outside: Sequence[SideRows]) -> dict[str, Side]:
     return {name: wheel for view in outside for row in view.rows for name, wheel in row.items()}
 
 
+def racks_of(outside: Sequence[SideRows]) -> dict[str, tuple[str, complex]]:
+    """Return each rack: its number, its wheel's, where both touch: a wheel by itself in its row drives one."""
+    return {
+        str(int(name) + 1): (name, wheel.near)
+        for view in outside
+        for row in view.rows
+        for name, wheel in row.items()
+        if len(row) == 1
+    }
+
+
 def draw_outside(
     outside: Sequence[SideRows], *, joined: bool, hollow: Sequence[Side]
 ) -> Iterator[tuple[str, Strokes]]:
@@ -71,6 +86,15 @@ def draw_outside(
                     other = wheels_of(outside)[ends[-1]]
                 shaft = k > 0 and (name not in ends or name == ends[0])
                 yield name, (*strokes, *(_shaft(wheel.centre, other.centre) if shaft else ()))
+    for name, (_, at) in racks_of(outside).items():
+        yield name, _rack(at)
+
+
+def _rack(at: complex) -> Strokes:
+    """The section of a rack below its wheel: it runs square to the paper."""
+    left, right, deep = at - WIDTH / 2, at + WIDTH / 2, RACK * 1j
+    outline = line("main", left, right, right - deep, left - deep, closed=True)
+    return (outline, *hatching(left - deep, right - deep, 1))
 
 
 def _on_hollow(at: complex) -> Iterator[Stroke]:
@@ -82,10 +106,10 @@ def _on_hollow(at: complex) -> Iterator[Stroke]:
 
 def occupied(outside: Sequence[SideRows]) -> list[tuple[float, float, float, float]]:
     """Return the rooms (left, bottom, right, top) of the wheels outside the train, with their shafts."""
-    half = WIDTH / 2 + OWN + STUB
+    half, driving = WIDTH / 2 + OWN + STUB, [wheel for wheel, _ in racks_of(outside).values()]
     return [
-        (x - half, min(y) - STUB, x + half, max(y) + STUB)
-        for wheel in wheels_of(outside).values()
+        (x - half, min(y) - STUB - (RACK if name in driving else 0.0), x + half, max(y) + STUB)
+        for name, wheel in wheels_of(outside).items()
         for x, y in [(wheel.centre.real, (wheel.near.imag, wheel.far.imag))]
     ]
 

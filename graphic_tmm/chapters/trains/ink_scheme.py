@@ -12,12 +12,14 @@ from graphic_tmm.chapters.trains.ink_pairs import (
     BEARING,
     GAP,
     HOLLOW,
+    RACK,
     STUB,
     WIDTH,
     Side,
     SideRows,
     bearing,
     draw_outside,
+    racks_of,
     wheels_of,
 )
 from graphic_tmm.chapters.trains.motion import Motion
@@ -158,6 +160,8 @@ def spots(made: Scheme2KH) -> dict[str, tuple[complex, complex]]:
         found[name] = (wheel.centre + half - 1j * (wheel.radius + depth), 1 + 0j)
     for name, wheel in wheels_of(made.outside).items():
         found[name] = (wheel.centre + half + 0.5j * (wheel.far - wheel.centre).imag, 1 + 0j)
+    for name, (_, at) in racks_of(made.outside).items():
+        found[name] = (at + half - 0.5j * RACK, 1 + 0j)
     axis, foot = made.arm
     found["H"] = (foot + 0.4 * (axis - foot), 1 + 0j)
     return found

@@ -73,6 +73,7 @@ def draw_pairs(
         (row.names[0], row.names[-1]) if side == "behind" else (row.names[-1], row.names[0])
         for side, rows in sides.items()
         for row in rows
+        if not row.rack
     ]
     for k, (first, last) in enumerate(ends, 1):
         letter = "U_0" if k == len(ends) else f"U_{{0{k}}}"

@@ -31,7 +31,7 @@ class Aside(NamedTuple):
     ``torques`` on the three shafts, N·m, and the ``efficiency`` where one drives, if asked for, by the
     numbers of what is ``lost``; the ``powers`` (W) on members of a closed differential, and what share of that
     put in ``circulates``; ``speed``: of the last wheel behind the train, rpm, without sign. None where
-    there is no such thing.
+    there is no such thing. ``rack``: how fast the rack runs, m/s.
     """
 
     stopped: tuple[Mark, ...]
@@ -45,6 +45,7 @@ class Aside(NamedTuple):
     speed: Mark | None
     powers: Mapping[str, Mark]
     circulates: Mark | None
+    rack: Mark | None = None
 
 
 BESIDE: Recorded[Aside] = Recorded(aside(PLANETARY_TRAIN))
@@ -70,7 +71,7 @@ def record_beside(bench: Bench) -> Aside:
         driven = turns[made.motion.driven]
         turns |= draw_rolling(bench.draft, behind, driven, made.pairs.teeth)
     if (closing := made.motion.closing) is not None:
-        first, (names, teeth) = closing_rows(made.order, made.train.scheme, closing)
+        first, (names, teeth, _) = closing_rows(made.order, made.train.scheme, closing)
         rows, outer = (first, Row(names[:-1], teeth[:-1])), turns[closing.joint]
         turns |= draw_rolling(bench.draft, rows, outer, made.pairs.teeth)
         turns[names[-1]] = turns[closing.other]
@@ -81,8 +82,14 @@ def record_beside(bench: Bench) -> Aside:
         lost, torques, share = draw_torques(bench.draft, made)
     powers, round_about = draw_powers(bench.draft, made, torques)
     last = _speed(bench, made)
+    rack = None
+    if behind and behind[-1].rack:
+        bench.draft.open(BEHIND)
+        driving = behind[-1].names[0]
+        of = bench.draft.uses(made.sizes.radii["1"])[0], made.pairs.teeth[driving], turns[driving]
+        rack = bench.draft.draw(t.speed_of_rack, f"v_{index(behind[-1].rack)}", *of, unit="m/s")
     return Aside(
-        stopped, ring, satellite, most, turns, lost, torques, share, last, powers, round_about
+        stopped, ring, satellite, most, turns, lost, torques, share, last, powers, round_about, rack
     )
 
 
@@ -138,6 +145,7 @@ def _speed(bench: Bench, made: Planetary) -> Mark | None:
     before = rows_of(made.order, made.train.scheme, "before")
     behind = rows_of(made.order, made.train.scheme, "behind")
     first = before[-1].names[-1] if before else motion.first
+    behind = tuple(row for row in behind if not row.rack)
     last = behind[-1].names[-1] if behind else f"{motion.driven}′"
     omega = pairs.before[first] if before else made.picture.omegas[motion.first]
     driving = bench.draft.draw(turns_a_minute, f"n_{index(first)}", omega, unit="rpm")

@@ -30,6 +30,8 @@ def scheme_of(order: PlanetaryTask) -> Scheme:
         for row in rows:
             for z in row:
                 _bounded(name, z)
+    if order.rack is not None:
+        _bounded("rack", order.rack)
     _refuse_sizes(order, scheme)
     _refuse_counts(order, scheme)
     _refuse_shafts(order, scheme)
@@ -117,7 +119,8 @@ def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
         says = said("the satellite has no shaft on the axis to take a torque: leave moment out")
         raise refused("moment", says)
     motion = motion_of(order)
-    for name, member in (("behind", motion.driven), ("before", motion.first)):
+    shafts = (("behind", motion.driven), ("rack", motion.driven), ("before", motion.first))
+    for name, member in shafts:
         if not getattr(order, name):
             continue
         if scheme.bevel:
@@ -132,7 +135,7 @@ def _refuse_shafts(order: PlanetaryTask, scheme: Scheme) -> None:
             raise refused(name, says)
         if "H" not in scheme.members and member == "3":
             raise refused(name, said("ring 3 has no shaft for a pair: leave {key} out", key=name))
-    if order.before and order.behind and "1" not in (motion.driven, motion.first):
+    if order.before and (order.behind or order.rack) and "1" not in (motion.driven, motion.first):
         says = said("pairs before and behind would stand on one side of the train: leave one out")
         raise refused("before", says)
 
@@ -158,9 +161,10 @@ def _refuse_ratio(order: PlanetaryTask) -> None:
         if order.ratio is not None:
             says = said("a differential has no ratio that teeth are sought by: leave it out")
             raise refused("ratio", says)
-        if order.behind or order.before:
+        outside = [name for name in ("behind", "before", "rack") if getattr(order, name)]
+        if outside:
             says = said("behind a differential no pair is drawn: leave it out")
-            raise refused("behind" if order.behind else "before", says)
+            raise refused(outside[0], says)
     if order.ratio is None:
         if not order.teeth or None in order.teeth:
             raise refused(

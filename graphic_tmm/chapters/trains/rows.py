@@ -22,10 +22,14 @@ from graphic_tmm.language.said import said
 
 
 class Row(NamedTuple):
-    """Wheels in mesh, from the shaft of the train outward: their numbers and teeth."""
+    """Wheels in mesh, from the shaft of the train outward: their numbers and teeth.
+
+    ``rack``: the number of the rack that the only wheel of a row drives; "" of other rows.
+    """
 
     names: tuple[str, ...]
     teeth: tuple[int, ...]
+    rack: str = ""
 
 
 @formula(
@@ -66,7 +70,7 @@ def module_of_row(m: Number, first: Number, other: Number) -> Number:
 def rows_of(order: PlanetaryTask, scheme: Scheme, side: str) -> tuple[Row, ...]:
     """Return the rows "behind" or "before" a train or those that close it ("closed"), from it outward.
 
-    Their numbers go on from its own.
+    Their numbers go on from its own. A rack is the last row behind.
     """
     number, found = len(scheme.wheels) + 1, []
     closing = tuple(teeth for _, teeth in order.closed)
@@ -75,11 +79,15 @@ def rows_of(order: PlanetaryTask, scheme: Scheme, side: str) -> tuple[Row, ...]:
         ("before", order.before),
         ("closed", closing),
     ):
-        for teeth in all_teeth:
+        racks = (order.rack,) if name == "behind" and order.rack else ()
+        for teeth in (*all_teeth, *((z,) for z in racks)):
             names = tuple(str(number + k) for k in range(len(teeth)))
             number += len(teeth)
+            row = Row(names, teeth)
+            if len(teeth) == 1:
+                row, number = row._replace(rack=str(number)), number + 1
             if name == side:
-                found.append(Row(names, teeth))
+                found.append(row)
     if side != "before":
         return tuple(found)
     return tuple(Row(row.names[::-1], row.teeth[::-1]) for row in reversed(found))

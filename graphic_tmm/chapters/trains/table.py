@@ -43,6 +43,8 @@ def train_results(drawn: Drawn) -> Results:
     beside = BESIDE.on(drawn)
     found = dict(PLANETARY_PLAN.on(drawn).results)
     found |= {f"planetary_mesh_{k}": mark for k, mark in enumerate(beside.stopped, 1)}
+    if beside.rack is not None:
+        found["planetary_v_rack"] = beside.rack
     if beside.most is not None:
         found["planetary_most"] = beside.most
     found |= {f"planetary_n_{body}": mark for body, mark in beside.turns.items()}

@@ -244,6 +244,9 @@ class PlanetaryTask:
     behind: tuple[tuple[int, ...], ...] = key(
         own.ROWS, "teeth of the pair of gears behind the train, or of several pairs", [15, 25], ()
     )
+    rack: int | None = key(
+        own.COUNT, "teeth of a wheel on the last shaft that drives a rack", 18, None
+    )
     before: tuple[tuple[int, ...], ...] = key(
         own.ROWS, "teeth of the pair of gears before the train, or of several pairs", [20, 60], ()
     )

@@ -42,10 +42,11 @@ def given(scene: Scene) -> Iterator[Given]:
     for number, teeth in enumerate(order.teeth, 1):
         if teeth is not None:
             yield Given(f"z_{number}", teeth)
-    closing = (row for _, row in order.closed)
-    others = [z for row in (*order.behind, *order.before, *closing) for z in row]
-    for number, teeth in enumerate(others, len(SCHEMES[order.scheme].wheels) + 1):
-        yield Given(f"z_{index(str(number))}", teeth)
+    kind = SCHEMES[order.scheme]
+    rows = [row for side in ("behind", "before", "closed") for row in rows_of(order, kind, side)]
+    outside = {name: z for row in rows for name, z in zip(row.names, row.teeth, strict=True)}
+    for name in sorted(outside, key=int):
+        yield Given(f"z_{index(name)}", outside[name])
     yield Given("k", ", ".join(map(str, order.satellites)))
     if order.moment is not None:
         shared = motion.closing is not None and motion.closing.joint == motion.first
@@ -242,6 +243,8 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
         yield _(_TORQUES)
     if order.behind or order.before:
         yield _(_BEHIND if order.behind else _BEFORE)
+    if order.rack:
+        yield _(_RACK)
 
 
 _SCHEMES = {
@@ -301,6 +304,7 @@ _PICTURES = said(
     "found from them and compared with Willis's formula."
 )
 _BEHIND = said("The speed behind the following pair of wheels is found.")
+_RACK = said("The last wheel drives a rack; its speed is found.")
 _BEFORE = said(
     "The speed behind the pair of wheels before the train is found, and that of the driven shaft."
 )

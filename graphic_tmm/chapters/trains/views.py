@@ -37,6 +37,7 @@ def planetary_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         *calculated_lines(log, reading, made.pairs.before.values(), language),
         *ratio_lines(log, reading, made, language),
         *_overall(drawn),
+        *calculated_lines(log, reading, filter(None, (BESIDE.on(drawn).rack,)), language),
         *_torques(drawn),
     )
     texts = {name: mu_text(scale, language) for name, scale in scales.items()}

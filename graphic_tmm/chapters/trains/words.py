@@ -33,6 +33,7 @@ CAPTIONS: dict[str, str] = {
     "planetary_mesh_1": said("U^{H} of the first mesh"),
     "planetary_mesh_2": said("U^{H} of the second mesh"),
     "planetary_mesh_3": said("U^{H} of the third mesh"),
+    "planetary_v_rack": "v",
     "planetary_most": "k_{max}",
     "overall_ratio": "U_{0}",
 }
