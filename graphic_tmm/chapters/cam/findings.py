@@ -294,7 +294,7 @@ def _pressure(
                 found.append(CamFinding("no centre", place, float("nan"), limit, *sizes))
     r0, least = sizes
     kind = "pressure" if r0 < least or cam.order.developed else "path"
-    for extreme, limit, sign in zip(cam.pressure.extremes, limits, (1, -1), strict=True):
+    for extreme, limit, sign in zip(cam.pressure.extremes, limits, (1, -1), strict=False):
         if sign * one(extreme.value) > limit + PROTRACTOR:
             place, angle = one(extreme.angle), abs(one(extreme.value))
             if cam.order.developed and least <= r0:

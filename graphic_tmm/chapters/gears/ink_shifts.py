@@ -46,8 +46,8 @@ class _Ink:
             yield (k * step - low) / self.mu, number(round(k * step, 9), self.on.language)
 
 
-def draw_shifts_ink(on: Subject, made: Gear) -> tuple[Drawing, float] | None:
-    """Return the chart, and what a mm of it stands for; None where no shifts give a pair that can mesh."""
+def draw_shifts_ink(on: Subject, made: Gear) -> Drawing | None:
+    """Return the chart, read by the figures of its axes; None where no shifts give a pair that can mesh."""
     chart = chart_of(made.order)
     if chart is None:
         return None
@@ -59,7 +59,7 @@ def draw_shifts_ink(on: Subject, made: Gear) -> tuple[Drawing, float] | None:
     strokes = [*frame, *_curves(ink), *_taken(ink)]
     figures = (*base_figures(across, (), size), *tick_figures(up, size))
     wanted = tuple(_letters(ink))
-    return Drawing(NAME, on.title, tuple(strokes), figures, wanted=wanted, role=NAME), ink.mu
+    return Drawing(NAME, on.title, tuple(strokes), figures, wanted=wanted, role=NAME)
 
 
 def _frame(ink: _Ink) -> Iterator[Ink]:

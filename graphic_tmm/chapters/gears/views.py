@@ -71,10 +71,8 @@ def _chart(drawn: Drawn, made: Gear, lettered: bool) -> Iterator[Drawing]:
     language = drawn.scene.language
     on = subject(drawn, captions(language)[CHART], "gears", name=CHART)
     if (chart := draw_shifts_ink(on, made)) is not None:
-        view, mu = chart
-        scale = f"μ_x = {number(mu, language)} {unit('1/mm', language)}"
         x1, x2 = (number(drawn.value(wheel.x), language) for wheel in made.sizes.wheels)
-        yield with_caption(view, on, lettered, scale, f"K: x_1 = {x1}, x_2 = {x2}")
+        yield with_caption(chart, on, lettered, f"K: x_1 = {x1}, x_2 = {x2}")
 
 
 def _ratios(drawn: Drawn) -> list[str]:

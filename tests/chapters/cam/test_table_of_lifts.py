@@ -311,7 +311,7 @@ def test_between_its_lines_the_curve_is_read() -> None:
         ('law = "table"\nlaw_table = 3\n', "write lines of the table"),
         ('law = "table"\nlaw_table = [[0, 0], 3]\n', "a line is an angle and a displacement"),
         ('law = "table"\nlaw_table = [[0, 0], [100, "20 mm"]]\n', "has 4 to 360 steps, not 1"),
-        (f'law = "table"\nlaw_table = {LINES.replace("20, ", "50, ")}\n', "the angles of the table go up"),
+        (f'law = "table"\nlaw_table = {LINES.replace("20, ", "50, ")}\n', "lines of the table go up"),
         (f'law = "table"\nlaw_table = {LINES.replace("2 cm", "21 mm")}\n', "make them the same"),
         (f'law = "table"\nlaw_table = {LINES.replace("2 cm", "21 mm")}\n', "21 mm high, its phase"),
         (f'law = "table"\nlaw_table = {LINES.replace("15 mm", "15 deg")}\n', "write a length"),
