@@ -79,13 +79,18 @@ def equated(name: str, plan: str) -> list[Group | Rolling]:
     return [*(structure.groups if plan == "velocities" else structure.attached)]
 
 
+def kind_of(one: Group | Rolling) -> str:
+    if isinstance(one, Group):
+        return "group"
+    return "belted" if one.mesh.belted else "wheel"
+
+
 @each("name, plan", PLANS)
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
-    groups = [
-        f"{'II' if isinstance(one, Group) else 'p4'}({one.name})" for one in equated(name, plan)
-    ]
+    called = {"group": "II({})", "wheel": "p4({})", "belted": "p4({}) by a flexible link"}
+    groups = [called[kind_of(one)].format(one.name) for one in equated(name, plan)]
     assert [e.group for e in found(name, plan)] == groups
     for equation in found(name, plan):
         assert equation.markup.count(r"\u{") == 2  # as many unknowns as a plane equation solves
@@ -182,11 +187,13 @@ def test_no_heading_of_a_group_can_be_read_as_a_parallel(
 ) -> None:
     view = lettered(name, plan, language)
     assert not any(text.startswith("II") for text in view)
-    heads = {"en": "group {} of class II:", "ru": "группа {} II класса:"}
-    wheels = {"en": "wheel {} with its higher pair:", "ru": "колесо {} с высшей парой:"}
+    heads = {
+        "group": {"en": "group {} of class II:", "ru": "группа {} II класса:"},
+        "wheel": {"en": "wheel {} with its higher pair:", "ru": "колесо {} с высшей парой:"},
+        "belted": {"en": "wheel {} with its flexible link:", "ru": "колесо {} с гибкой связью:"},
+    }
     assert [text for text in view if text.endswith(":")] == [
-        (heads if isinstance(one, Group) else wheels)[language].format(one.name)
-        for one in equated(name, plan)
+        heads[kind_of(one)][language].format(one.name) for one in equated(name, plan)
     ]
 
 
