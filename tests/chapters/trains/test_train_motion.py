@@ -184,6 +184,8 @@ def test_teeth_are_found_for_any_member(driving: str, fixed: str, ratio: float) 
         # Khurmi, Theory of Machines, ch. 13, example 4: an arm with wheels of 36 and 45 teeth
         ("external", (36, 45), {"H": 150, "1": 0}, {"2": 270}),
         ("external", (36, 45), {"H": 150, "1": -300}, {"2": 510}),
+        # worked examples of epicyclic gears (studylib.net/doc/26184123), 1: annulus 72 fixed, wheel 32
+        ("ring", (32, 20, 72), {"H": 18, "3": 0}, {"1": 58.5, "2": -46.8}),
         # Cardano: in a ring twice as large a wheel turns backwards as fast as its arm
         ("internal", (60, 30), {"H": 100, "1": 0}, {"2": -100}),
         # Khurmi, ch. 13: motor on 15 teeth, compound wheels 20 and 15, rings 55 (stands) and 50
