@@ -110,6 +110,8 @@ class _Sides:
         if step.it in self.across:
             yield from self.measured(seen, step, k)
             return
+        if step.it not in self.lengths.values():
+            return  # of a belt the pull is a side that is laid off, and measured, before
         for letter, tail, head in self.found:
             yield from self.arrow(letter, tail, head, k, "main")
 

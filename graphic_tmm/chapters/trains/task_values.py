@@ -83,8 +83,8 @@ def _drivers(value: object, names: Names) -> str | tuple[str, ...]:
 
 def _closed(value: object, names: Names) -> tuple[tuple[str, tuple[int, ...]], ...]:
     says = said(
-        "two shafts are wanted, each with the wheels on it and onward to a shaft of both: "
-        '[["H", 30, 20], ["3", 32, 18]]'
+        "two shafts are wanted, each with the wheels on it and onward to a shaft of both; "
+        'write [["H", 30, 20], ["3", 32, 18]]'
     )
     rows = value if isinstance(value, list) else []
     if value == []:
