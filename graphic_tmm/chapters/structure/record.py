@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from types import MappingProxyType
 from typing import NamedTuple
 
 from graphic_tmm.board.formula import formula
@@ -38,8 +37,8 @@ class Mobility(NamedTuple):
 
     whole: Mark
     parts: Mapping[str, Mark]
-    replaced: tuple[Replaced, ...] = ()
-    replacing: Mapping[str, Mark] = MappingProxyType({})
+    replaced: tuple[Replaced, ...]
+    replacing: Mapping[str, Mark]
 
 
 MOBILITY: Recorded[Mobility] = Recorded(aside("structure"))
@@ -77,7 +76,7 @@ def record_mobility(bench: Bench) -> Mobility | None:
     whole = w("W", "", structure.moving, len(structure.pairs), len(structure.wheels))
     own = {name: w(f"W_{name}", "", *size) for name, size in parts(structure).items()}
     if REPLACING not in bench.wanted or not structure.wheels:
-        return Mobility(whole, own)
+        return Mobility(whole, own, (), {})
     replaced = tuple(replace(draft, KINEMATICS_PLAN.on(bench).positions))
     more, size = len(replaced), (structure.moving, len(structure.pairs))
     replacing = {"": w("W′", "′", size[0] + more, size[1] + 2 * more, 0)}
