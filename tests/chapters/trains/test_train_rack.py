@@ -18,6 +18,7 @@ from graphic_tmm.chapters.trains.task import PlanetaryTask
 from graphic_tmm.chapters.trains.views import planetary_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
+from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.readers.table import results_of
 from graphic_tmm.scene.read import read
 from graphic_tmm.studio import make
@@ -64,11 +65,32 @@ def test_the_rack_runs_as_its_wheel_rolls(tmp_path: Path, many: Callable[[int, i
 
 
 def test_its_section_stands_below_the_wheel_with_its_number(tmp_path: Path) -> None:
+    """Hatched, touched by the pitch circle of the wheel from above; both numbers are there, and the formula."""
     board = drawn_of(tmp_path, "behind = [[18, 36]]", 20, 4.0, 900, 20, 25)
     view = planetary_views(board, True)[0]
     texts = [label.text for label in view.labels]
     assert {"6", "7"} <= set(texts)
     assert any(text.startswith("v_7 = π·m·z_6·n_5/60") for text in texts)
+    boxes = [
+        [complex(*at[:2]) for at in one.path]
+        for one in view.strokes
+        if isinstance(one, Stroke) and one.closed and len(one.path) == 4
+    ]
+    across = [
+        (min(z.imag for z in box), max(z.imag for z in box), sum(z.real for z in box) / 4)
+        for box in boxes
+    ]
+    mu = board.scales["planetary"].value
+    high = 2.0 * 0.004 * 20 / 2.0 / mu
+    (wheel,) = (
+        one
+        for one in across
+        if one[1] - one[0] == pytest.approx(high, abs=1e-6) and one[2] == max(x for *_, x in across)
+    )
+    (rack,) = (
+        one for one in across if one[1] == pytest.approx(wheel[0], abs=1e-9) and one[2] == wheel[2]
+    )
+    assert rack[0] < rack[1]
 
 
 def test_where_no_shaft_is_no_rack_is(tmp_path: Path) -> None:
