@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from graphic_tmm.mechanism.records import Link, Mechanism
-from support.oracle_gears import Gears, OracleError, crank_letters, gears_of
+from support.oracle_gears import Gears, OracleError, angles_of_wheels, crank_letters, gears_of
 
 Pose = tuple[float, float, float]
 Numbers = NDArray[Any]  # float64, or objects that are mpmath numbers
@@ -326,6 +326,7 @@ def _angles(
             angles.setdefault(link.number, angles[slide.on] + ahead)
         elif link.number in angles:
             angles[slide.on] = angles[link.number] - ahead
+    angles = angles_of_wheels(mechanism, angles)
     missing = sorted(set(mechanism.by_number) - set(angles))
     if missing:
         raise OracleError(f"the points do not tell how links {missing} are turned")

@@ -39,6 +39,19 @@ class Gears(NamedTuple):
         jacobian[rows, 3 * self.arm + 2] += self.share - 1
 
 
+def angles_of_wheels(mechanism: Mechanism, angles: Mapping[int, float]) -> dict[int, float]:
+    """Return the angles (rad) of links with those of wheels that follow from the wheel they meet."""
+    known = dict(angles)
+    place = {number: i for i, number in enumerate(mechanism.by_number)}
+    gears, numbers = gears_of(mechanism, place, np.array, np.pi), list(place)
+    rows = zip(gears.first, gears.second, gears.arm, gears.share, gears.start, strict=True)
+    for first, second, arm, share, start in rows:
+        a, b, c = numbers[first], numbers[second], numbers[arm]
+        if a in known and c in known:
+            known.setdefault(b, known[c] + share * (known[a] - known[c]) + start)
+    return known
+
+
 def gears_of(
     mechanism: Mechanism, place: Mapping[int, int], numbers: Callable[[Any], Numbers], pi: Any
 ) -> Gears:

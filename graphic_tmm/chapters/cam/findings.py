@@ -127,25 +127,27 @@ def changes(cam: Cam, language: str) -> Iterator[str]:
             yield says if phase.lone else _(_OF_PHASE, number=phase.number, says=says)
 
 
+SLOPES = {False: ("dS/dφ", "d²S/dφ²"), True: ("dS/ds_c", "d²S/ds_c²")}
+"""What the derivatives of a cam are called that turns, and of one that slides."""
 _TABLE = {
     "few": said(
         "the table of phase {k} has {steps} steps: between its lines nobody knows the acceleration, give {few} "
         "steps at least"
     ),
     "begins": said(
-        "by its table the follower begins phase {k} with the velocity dS/dφ = {speed:.3g} (SI): a hard shock, "
-        "which d²S/dφ² does not show; ease the table there"
+        "by its table the follower begins phase {k} with the velocity {slope} = {speed:.3g} (SI): a hard "
+        "shock, which {second} does not show; ease the table there"
     ),
     "ends": said(
-        "by its table the follower ends phase {k} with the velocity dS/dφ = {speed:.3g} (SI): a hard shock, "
-        "which d²S/dφ² does not show; ease the table there"
+        "by its table the follower ends phase {k} with the velocity {slope} = {speed:.3g} (SI): a hard "
+        "shock, which {second} does not show; ease the table there"
     ),
     "noise": said(
         "the acceleration of the table of phase {k} changes its sign {waves} times: that is noise of its "
         "figures, give more digits of them or fewer lines"
     ),
     "rough": said(
-        "the table of phase {k} is rounded to {digit}: by that alone d²S/dφ² may be off by {percent:.0f} % of "
+        "the table of phase {k} is rounded to {digit}: by that alone {second} may be off by {percent:.0f} % of "
         "its largest, give more digits or fewer lines"
     ),
 }
@@ -155,22 +157,26 @@ _TABLE = {
 def of_tables(cam: Cam, language: str) -> Iterator[str]:
     """Yield, as sentences, what tables of displacements leave open: few lines, a shock, noise, rounding."""
     _ = speaking(language)
+    slope, second = SLOPES[cam.order.slides]
     for phase in cam.diagrams.turn.phases:
         if phase.law.name != BY_TABLE:
             continue
         table, k = table_of(phase.law), phase.number
-        mean = (phase.motion.stroke or 0.0) / np.radians(phase.extent)
+        long = phase.extent if cam.order.slides else np.radians(phase.extent)
+        mean = (phase.motion.stroke or 0.0) / long
         if table.steps < FEW:
             yield _(_TABLE["few"], k=k, steps=table.steps, few=FEW)
         ends = list(zip(table.speeds, table.shocks, strict=True))[:: phase.sign]
         for way, (speed, shock) in zip(("begins", "ends"), ends, strict=True):
             if shock:
-                yield _(_TABLE[way], k=k, speed=phase.sign * speed * mean)
+                speed = phase.sign * speed * mean
+                yield _(_TABLE[way], k=k, speed=speed, slope=slope, second=second)
         if table.waves > 2:
             yield _(_TABLE["noise"], k=k, waves=table.waves)
         elif table.rough > ROUGH:
             digit = size_of(table.digit * (phase.motion.stroke or 0.0), cam.order.rocks)
-            yield _(_TABLE["rough"], k=k, digit=digit, percent=100.0 * min(table.rough, 1.0))
+            percent = 100.0 * min(table.rough, 1.0)
+            yield _(_TABLE["rough"], k=k, digit=digit, percent=percent, second=second)
 
 
 class CamFinding(NamedTuple):

@@ -211,7 +211,9 @@ def _sides(ink: CamInk, cam: Cam, length: float) -> Iterator[Ink]:
     start = complex(0.0, start.imag) if turn.angles[0] else start
     end = complex(length, end.imag) if turn.angles[-1] < turn.whole else end
     if finite(start, end):
-        spots = (start, complex(start.real, low), complex(end.real, low), end)
+        # a roller on a slope touches beside the end of the plate
+        foot = (complex(0.0, start.imag), 1j * low, complex(length, low), complex(length, end.imag))
+        spots = dict.fromkeys((start, *foot, end))
         outline = line("main", *spots, closed=made.outer is not None)
         yield from body([outline], "plate", [made.feet or made.guides])
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from graphic_tmm.board.bounds import Bound
-from graphic_tmm.chapters.cam.kinds import ROCKING
+from graphic_tmm.chapters.cam.kinds import PLATE, ROCKING
 from graphic_tmm.language.said import said
 from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
@@ -91,7 +91,7 @@ def flaws(cam: Said, written: dict[str, object]) -> Iterator[Flaw]:
     for wrong, name, says in (
         (getattr(cam, other) is not None, other, said("this follower has {own} instead", own=own)),
         (cam.mass is not None and cam.mass <= 0.0, "mass", said("a mass is greater than 0")),
-        (given and cam.speed is None, "speed", NO_SPEED),
+        (given and cam.speed is None and cam.form != PLATE, "speed", NO_SPEED),
         (len(pair & set(written)) == 1, "preload" if "rate" in written else "rate",
          said("a spring that is given has both rate and preload")),
         (pair <= set(written) and "lead" in written, "lead",

@@ -66,8 +66,8 @@ class Law:
     straight lines; the acceleration is positive while the follower speeds up, on the return too, in any unit,
     for its scale follows from the stroke. Points with one share make a jump, from the first to the last.
     ``points`` of the law "table": (share of the phase, share of the stroke) from the lower place;
-    ``size``: how long (degrees) and how high (m, or rad) it is as written; ``digit``: one of the last
-    digit of its figures, a share of the stroke.
+    ``size``: how long (degrees, m) and how high (m, or rad) it is as written; ``digit``: one of the last
+    digit of its figures, a share of the stroke; ``ends``: of one that was read off a spline its slopes there.
     ``shares``: of speeding up and of slowing down, in proportion, of a law of constant acceleration.
     """
 
@@ -76,6 +76,7 @@ class Law:
     shares: tuple[float, float] = EVEN_SHARES
     size: tuple[float, ...] = ()
     digit: float = field(default=0.0, compare=False)
+    ends: tuple[float, float] | None = field(default=None, compare=False)
 
     @property
     def split(self) -> float:
@@ -170,14 +171,10 @@ TABLE = Kind(_table, {"type": "array"})
 
 def _extent(bound: Bound) -> Kind:
     """Return the kind of a phase: its angle (degrees), or its length on a cam that slides (m)."""
-    angle = v.number(bound, "angle")
+    angle, long = v.number(bound, "angle"), v.number(replace(bound, most=math.inf), "length")
 
     def read(value: object, names: Names) -> Any:
-        if quantities.is_a(value, "length") and bound.holds(
-            long := quantities.parse(value, "length")
-        ):
-            return long
-        return angle.read(value, names)
+        return (long if quantities.is_a(value, "length") else angle).read(value, names)
 
     return replace(angle, read=read, unit="length, or angle")
 

@@ -93,6 +93,7 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
             yield speaking(language)(
                 _PUSHED,
                 n=len(pushed),
+                of=speaking(language)(_OF.get(wheel.rolling.mesh.by, _OF["belt"])),
                 run=wheel.span.letter + wheel.rolling.letter,
                 link=wheel.leg.link,
                 listed=", ".join(pushed),
@@ -106,10 +107,11 @@ def _pulls(drawn: Drawn, wheel: Meshed) -> Reals:
     return np.asarray(-(run.along / radius.along).imag)
 
 
+_OF = {"belt": said("of the belt"), "chain": said("of the chain")}
 _PUSHED = said(
-    "in position {listed} the run {run} of the belt would push link {link}: the other run pulls there, and the "
+    "in position {listed} the run {run} {of} would push link {link}: the other run pulls there, and the "
     "reactions of the pins are not those drawn; the balance is",
-    "in positions {listed} the run {run} of the belt would push link {link}: the other run pulls there, and "
+    "in positions {listed} the run {run} {of} would push link {link}: the other run pulls there, and "
     "the reactions of the pins are not those drawn; the balance is",
 )
 

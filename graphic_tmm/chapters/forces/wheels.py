@@ -16,8 +16,8 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 
 BELT_PULLS = said(
-    "The wheel is in equilibrium about its centre: the pulling run of the belt, at the radius {length}, has "
-    "the moment that all other moments leave open; the slack one is taken to pull nothing."
+    "The wheel is in equilibrium about its centre: the pulling run of the belt or chain, at the radius "
+    "{length}, has the moment that all other moments leave open; the slack one is taken to pull nothing."
 )
 
 

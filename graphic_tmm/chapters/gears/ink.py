@@ -8,7 +8,14 @@ from collections.abc import Iterator
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.chapters.gears.ink_rack import RackInk, rack_bodies, rack_letters, rack_rules
+from graphic_tmm.chapters.gears.ink_rack import (
+    DOT,
+    OVER,
+    RackInk,
+    rack_bodies,
+    rack_letters,
+    rack_rules,
+)
 from graphic_tmm.chapters.gears.line import VIEW
 from graphic_tmm.chapters.gears.outline import RULES, flank, hatched, outline, part, sector, spot
 from graphic_tmm.chapters.gears.plan import Gear
@@ -24,8 +31,6 @@ from graphic_tmm.paper.seen import Rule, Seen, Subject
 from graphic_tmm.paper.symbols.dimensions import BEYOND, dimension
 from graphic_tmm.paper.symbols.kinematic import arrowhead, round_arrow, turning_pair
 
-OVER = 14.0
-"""How far the line of action, the centre line and the circles go on, mm."""
 TICK = 2.0
 """Half of a stroke across the line of action, mm."""
 WHOLE, REACH = 450.0, 200.0
@@ -96,8 +101,6 @@ def circles_of(wheel: Wheel) -> tuple[tuple[Mark, str, str], ...]:
     )
 
 
-DOT = 0.6
-"""Radius of a point of the construction, mm."""
 ASIDE = 8.0
 """From the ink to the dimension of the distance of the centres, mm."""
 

@@ -25,19 +25,36 @@ DOT = 0.8
 STEPS = (0.05, 0.1, 0.2, 0.25, 0.5, 1.0, 2.0)
 
 
+INSIDE = 0.1
+"""How far shifts that are taken stand within the edge at least."""
+
+
+def _parts(shifts: complex) -> tuple[float, float]:
+    """Return x1 and x2."""
+    return shifts.real, shifts.imag
+
+
 class _Ink:
     """The chart while it is inked: places on the sheet, mm, from its lower left corner."""
 
     def __init__(self, on: Subject, made: Gear, chart: Chart) -> None:
         self.on, self.chart = on, chart
-        size = chart.high - chart.low
-        self.mu = standard(max(size.real, size.imag), ROOM)
-        self.corner = self.at(chart.high)
         self.shifts = tuple(wheel.x for wheel in made.sizes.wheels)
         self.taken = complex(*(float(on.reading[mark][0, 0]) for mark in self.shifts))
+        # shifts that are taken beside the region are shown, too
+        x, y = (
+            (min(low, at - INSIDE), max(high, at + INSIDE))
+            for low, high, at in zip(
+                _parts(chart.low), _parts(chart.high), _parts(self.taken), strict=True
+            )
+        )
+        self.low, self.high = complex(x[0], y[0]), complex(x[1], y[1])
+        size = self.high - self.low
+        self.mu = standard(max(size.real, size.imag), ROOM)
+        self.corner = self.at(self.high)
 
     def at(self, shifts: complex) -> complex:
-        return (shifts - self.chart.low) / self.mu
+        return (shifts - self.low) / self.mu
 
     def ticks(self, low: float, high: float) -> Iterator[tuple[float, str]]:
         """Where whole steps of a shift stand along their axis, mm, and what is written there."""
@@ -52,7 +69,7 @@ def draw_shifts_ink(on: Subject, made: Gear) -> Drawing | None:
     if chart is None:
         return None
     ink = _Ink(on, made, chart)
-    low, high, size = chart.low, chart.high, on.heights.number
+    low, high, size = ink.low, ink.high, on.heights.number
     across, up = list(ink.ticks(low.real, high.real)), list(ink.ticks(low.imag, high.imag))
     frame = [*_frame(ink), *(line("thin", x - 1j * TICK, x + 1j * TICK) for x, _ in across)]
     frame += [line("thin", 1j * y - TICK, 1j * y + TICK) for y, _ in up]
@@ -82,22 +99,15 @@ def _curves(ink: _Ink) -> Iterator[Ink]:
 def _taken(ink: _Ink) -> Iterator[Ink]:
     """The shifts that are taken, with lines to both axes."""
     at = ink.at(ink.taken)
-    if not _inside(ink, at):
-        return
     yield line("dashed", at.real, at, 1j * at.imag)
     yield circle("main", at, DOT, filled=True)
-
-
-def _inside(ink: _Ink, at: complex) -> bool:
-    return 0.0 <= at.real <= ink.corner.real and 0.0 <= at.imag <= ink.corner.imag
 
 
 def _letters(ink: _Ink) -> Iterator[Wanted]:
     size, small, (first, second) = ink.on.heights.point, ink.on.heights.number, ink.shifts
     yield Wanted(first.name, ink.corner.real + 0j, size, 1.5, 1 + 0j, (first.slot,))
     yield Wanted(second.name, 1j * ink.corner.imag, size, 1.5, 1j, (second.slot,))
-    if _inside(ink, at := ink.at(ink.taken)):
-        yield Wanted("K", at, size, DOT)
+    yield Wanted("K", ink.at(ink.taken), size, DOT)
     for limit in ink.chart.limits:
         path = max(limit.lines, key=_length, default=())
         if _length(path) / ink.mu < APART:

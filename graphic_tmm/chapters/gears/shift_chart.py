@@ -108,9 +108,12 @@ def _plane(order: GearTask) -> _Plane | None:
 
     What is beyond is calculated by other formulas: shifts that need them bound no region.
     """
-    free = replace(order, distance=None, x_sum=None, delta_y=None)
+    free = replace(order, distance=None, x_sum=None)
     tried = [(order.x1 or 0.0, order.x2 or 0.0)]
-    tried += [(0.1 * i, 0.1 * j) for i in range(-5, 16) for j in range(-5, 16)]
+    tried += sorted(
+        ((0.1 * i, 0.1 * j) for i in range(-5, 16) for j in range(-5, 16)),
+        key=lambda at: abs(at[0] - 0.5) + abs(at[1] - 0.5),  # most can mesh about there
+    )
     for x1, x2 in tried:
         draft = Draft()
         sizes = calculate_sizes(draft, replace(free, x1=x1, x2=x2))

@@ -71,8 +71,9 @@ def _chart(drawn: Drawn, made: Gear, lettered: bool) -> Iterator[Drawing]:
     language = drawn.scene.language
     on = subject(drawn, captions(language)[CHART], "gears", name=CHART)
     if (chart := draw_shifts_ink(on, made)) is not None:
-        x1, x2 = (number(drawn.value(wheel.x), language) for wheel in made.sizes.wheels)
-        yield with_caption(chart, on, lettered, f"K: x_1 = {x1}, x_2 = {x2}")
+        taken = (wheel.x for wheel in made.sizes.wheels)
+        told = (f"{x.name} = {number(drawn.value(x), language)}" for x in taken)
+        yield with_caption(chart, on, lettered, f"K: {', '.join(told)}")
 
 
 def _ratios(drawn: Drawn) -> list[str]:

@@ -46,8 +46,8 @@ def pin_radius(diameter: Number) -> Number:
 
 
 @formula(why=said("The disc goes free of the pin, and reaches into the hollows of the rim."))
-def usual_disc(crank: Number, pin: Number) -> Number:
-    """{crank} − 1.5·{pin}"""
+def usual_disc(crank: Number, times: Number, pin: Number) -> Number:
+    """{crank} − {times}·{pin}"""
 
 
 @formula(

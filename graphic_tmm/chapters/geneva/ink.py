@@ -148,7 +148,8 @@ def _disc(ink: _Ink) -> Iterator[Ink]:
         if convex > 0.0:
             disc.append(arc("main", ink.origin, ink.lock, math.degrees(to + half), convex))
     yield from body(crank, "crank", _of(ink, wheel.entry.at, wheel.crank, wheel.pin))
-    yield from body(disc, "disc", _of(ink, wheel.entry.at, wheel.exit.at, wheel.lock))
+    if ink.lock > 0.0:
+        yield from body(disc, "disc", _of(ink, wheel.entry.at, wheel.exit.at, wheel.lock))
 
 
 def _cut_out(ink: _Ink, way: complex, half: float) -> Ink:

@@ -24,7 +24,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.geneva import formulas as f
 from graphic_tmm.chapters.geneva import words as why
-from graphic_tmm.chapters.geneva.task import ASKED, GENEVA, PIN, GenevaTask
+from graphic_tmm.chapters.geneva.task import ASKED, FREE, GENEVA, PIN, GenevaTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.rack import Rack
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
@@ -154,7 +154,8 @@ def _draw(draft: Draft, order: GenevaTask, plans: KinematicPlans, parts: _Parts)
     if order.lock is not None:
         held = draft.take(Number, "R_{l}", order.lock, "m")
     else:
-        held = draft.draw(f.usual_disc, "R_{l}", given, thick, unit="m")
+        times = draft.take(Number, "", FREE)
+        held = draft.draw(f.usual_disc, "R_{l}", given, times, thick, unit="m")
     lock = draft.draw(to_board, "r_{l}", held, mu)
     bottom = draft.draw(f.slot_bottom, "r_{b}", apart, crank, pin)
     middle = draft.draw(lay_off, "M", line, crank)

@@ -10,8 +10,9 @@ from graphic_tmm.scene.declare import Section, key
 from graphic_tmm.scene.tasks import SectionKey
 
 GENEVA = "geneva"
-PIN = 0.15
-"""Diameter of a pin that a scene does not give, of the crank; drawn wheels have 0.1 to 0.2."""
+PIN, FREE = 0.15, 1.5
+"""Diameter of a pin that a scene does not give, of the crank: drawn wheels have 0.1 to 0.2; by how many of them
+the disc is smaller."""
 
 
 @dataclass(frozen=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.geneva.task import ASKED, PIN
+from graphic_tmm.chapters.geneva.task import ASKED, FREE, PIN
 from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet
 from graphic_tmm.scene.records import Scene
 
@@ -18,7 +18,7 @@ def given(scene: Scene) -> Iterator[Given]:
     if order.pins > 1:
         yield Given("k", order.pins)
     yield Given("d_p/R", PIN) if order.pin is None else Given("d_p", order.pin, SIZE)
-    yield Given("(R − R_l)/d_p", 1.5) if order.lock is None else Given("R_l", order.lock, SIZE)
+    yield Given("(R − R_l)/d_p", FREE) if order.lock is None else Given("R_l", order.lock, SIZE)
 
 
 TASK_SHEET = TaskSheet(given=given)

@@ -63,17 +63,19 @@ PITCH_POINT = said(
     "The pitch circles touch here, as far from the centre as the pitch radius is long."
 )
 RUN = said(
-    "A straight run of the belt is square to the radii at its ends, so it is parallel to this tangent: to the "
-    "circle about {centre} whose radius is what the radii differ by, of a crossed belt their sum."
+    "A straight run of the belt or chain is square to the radii at its ends, so it is parallel to this "
+    "tangent: to the circle about {centre} whose radius is what the radii differ by, of a crossed belt their "
+    "sum."
 )
 RUN_RADIUS = said("The radius at which the pulling run leaves the wheel is square to it.")
 OTHER_RADIUS = said(
     "On the other wheel it is parallel to that, of a crossed belt it points the other way."
 )
-RUN_END = said("The pulling run of the belt leaves the wheel here.")
+RUN_END = said("The pulling run of the belt or chain leaves the wheel here.")
 BELT = said(
-    "Seen from the link that joins the centres both rims are as fast as the belt, so the angles are as the "
-    "radii the other way round; an open belt or a chain keeps the sense of turning, a crossed belt turns it."
+    "Seen from the link that joins the centres both rims are as fast as the belt or chain, so the angles are "
+    "as the radii the other way round; an open belt or a chain keeps the sense of turning, a crossed belt "
+    "turns it."
 )
 WHEEL_AXIS = said(
     "The wheel's link turns about {start}; its angle is the one by which the wheel has rolled."

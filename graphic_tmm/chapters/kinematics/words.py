@@ -214,10 +214,11 @@ STANDING_WHEEL = said(
     "The other wheel stands, and on it this one rolls without slipping: its pitch point has no velocity."
 )
 EQUAL_RIMS = said(
-    "The belt neither stretches nor slips: both ends of its run, and the rims there, are equally fast along it."
+    "The belt or chain neither stretches nor slips: both ends of its run, and the rims there, are equally fast "
+    "along it."
 )
 RIM_APART = said(
-    "The ends of a belt's run have the same acceleration along it; they differ only across it, along the "
+    "The ends of a run have the same acceleration along it; they differ only across it, along the "
     "radius {to}."
 )
 ROLLING_APART = said(

@@ -296,7 +296,7 @@ def fewer(first: Number, second: Number) -> Number:
     ),
 )
 def speed_behind(speed: Number, ratio: Number) -> Number:
-    """{speed}/{ratio}"""
+    """|{speed}|/{ratio}"""
 
 
 @formula(

@@ -91,7 +91,7 @@ def _overall(drawn: Drawn) -> list[str]:
     turns, ratio = step.uses
     return [
         f"{ratio.name} = {stages(ratio)} = {put(ratio)}",
-        f"n = {put(turns)}/{put(ratio)} = {put(last)} {_('rpm')}",
+        f"n = {number(abs(drawn.value(turns)), language)}/{put(ratio)} = {put(last)} {_('rpm')}",
     ]
 
 

@@ -32,10 +32,12 @@ from graphic_tmm.chapters.cam.plan import CAM_PLAN
 from graphic_tmm.chapters.cam.profile import Contour
 from graphic_tmm.chapters.cam.task import CamTask, Law
 from graphic_tmm.chapters.cam.task_motion import Stage
+from graphic_tmm.chapters.cam.views import cam_views
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.paper.formats import HEIGHTS
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.seen import Subject
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 
 THIN = 5e-5
@@ -260,14 +262,18 @@ HEAD = 'title = "T"\nlanguage = "en"\n[cam]\nform = "translating"\nstroke = "20 
         ('rise = "80 mm"\nlower_dwell = "10 mm"', "lower_dwell"),
         ('rise = "80 deg"', "rise"),
         ("rise = 80", "rise"),
+        ('rise = "-60 mm"', "rise"),
+        ('rise = "0 mm"', "rise"),
+        ('rise = "-5 deg"', "rise"),
         ('rise = "80 mm"\nupper_dwell = "80 deg"', "upper_dwell"),
         ('[[cam.phase]]\nrise = "80 deg"', r"phase\[1\].rise"),
         ('[[cam.phase]]\nfall = "80 mm"', "phase"),
     ],
 )
 def test_what_a_plate_does_not_have_is_refused(tmp_path: Path, line: str, key: str) -> None:
-    with pytest.raises(SceneError, match=rf"cam\.{key}"):
+    with pytest.raises(SceneError, match=rf"cam\.{key}") as caught:
         read(written(tmp_path, f"{HEAD}{line}\n"))
+    assert "an angle is wanted" not in str(caught.value)
 
 
 def test_a_cam_that_turns_has_angles(tmp_path: Path) -> None:
@@ -366,6 +372,22 @@ def test_a_table_of_lifts_stands_over_the_way_of_the_plate(tmp_path: Path) -> No
         cam.diagrams.S.axes.mu
     )
     np.testing.assert_allclose(heights, np.array(TABLE) / 1000.0, atol=1e-9)
+
+
+def test_a_plate_that_begins_on_a_slope_is_told_it_by_its_own_travel(tmp_path: Path) -> None:
+    """20 mm over 80 mm is a slope of 1/4, and the contour goes on to the end of the plate."""
+    lines = ", ".join(f'["{10 * k} mm", "{2.5 * k} mm"]' for k in range(9))
+    text = f'{HEAD}rise = "80 mm"\nlaw = "table"\nlaw_table = [{lines}]\n'
+    (drawn,) = in_usual_size(read(written(tmp_path, text)), exact=True).boards
+    told = [one for one in warnings(drawn, "en") if "hard shock" in one]
+    assert len(told) == 2
+    assert all("dS/ds_c = 0.25 (SI)" in one and "φ" not in one for one in told)
+    (view,) = (one for one in cam_views(drawn, True) if one.name == "cam sliding profile")
+    (side,) = (one for one in view.strokes if one.part == "plate")
+    xs, long = {x for x, *_ in side.path}, 80e-3 / drawn.scales["cam sliding profile"].value
+    assert min(abs(x) for x in xs) == 0.0
+    assert min(abs(x - long) for x in xs) < 1e-9
+    assert max(xs) - min(xs) < 1.2 * long
 
 
 @pytest.mark.parametrize(

@@ -94,6 +94,58 @@ def test_an_uneven_table_of_even_motion_begins_with_its_velocity() -> None:
     assert "ends phase 1 with the velocity" in ends
 
 
+LONG = [
+    (0, 0),
+    (10, 0.4),
+    (20, 2),
+    (30, 5),
+    (40, 9),
+    (50, 13),
+    (60, 17),
+    (70, 19.5),
+    (80, 20),
+    (100, 20),
+]
+FLAT = [(0, 0), (5, 5), (10, 10), (15, 15), (20, 20), (80, 20), (90, 20), (95, 20), (100, 20)]
+FAR = [(0, 0), (1, 2), (2, 5), (3, 10), (60, 12), (70, 13), (80, 15), (90, 18), (100, 20)]
+
+
+@pytest.mark.parametrize("lines", [LONG, FLAT, FAR])
+def test_nothing_is_read_beyond_the_lines(lines: list[tuple[float, float]]) -> None:
+    """A gap much longer than others, a table that stands for a while: no higher, no lower than its lines."""
+    x, y = (np.array(row, dtype=float) for row in zip(*lines, strict=True))
+    law = law_of([(RISE * a / 100.0, STROKE * s / 20.0) for a, s in lines])
+    heights, _, _ = read_off(cam_of(law, Law("sine")), 0)
+    at = np.linspace(0.0, 100.0, x.size)
+    gap = np.clip(np.searchsorted(x, at) - 1, 0, x.size - 2)
+    # a thousandth of the stroke is what a spline of a smooth law may swing
+    assert (heights >= STROKE * (y[gap] / 20.0 - 1e-3)).all()
+    assert (heights <= STROKE * (y[gap + 1] / 20.0 + 1e-3)).all()
+
+
+DENSE = [
+    (0, 0),
+    (2, 0.1),
+    (5, 0.5),
+    (10, 1.9),
+    (60, 16),
+    (80, 19),
+    (90, 19.8),
+    (95, 19.95),
+    (100, 20),
+]
+
+
+def test_a_table_is_at_rest_where_its_own_lines_say_so() -> None:
+    """Dense lines at an end tell that it begins softly; those that are read off far apart could not."""
+    law = law_of([(RISE * a / 100.0, STROKE * s / 20.0) for a, s in DENSE])
+    assert not [one for one in of_tables(cam_of(law, Law("sine")).cam, "en") if "velocity" in one]
+    quick = [(a, 20.0 * a / 100.0) for a, _ in DENSE]
+    law = law_of([(RISE * a / 100.0, STROKE * s / 20.0) for a, s in quick])
+    told = [one for one in of_tables(cam_of(law, Law("sine")).cam, "en") if "velocity" in one]
+    assert len(told) == 2
+
+
 def test_angles_that_are_rounded_are_even_ones(tmp_path: Path) -> None:
     """Twelfths of 110° with six figures; a line off by more than half of a digit stands where it says."""
     lines = [[f"{110 * k / 12:.6g} deg", f"{20 * k * k / 144:.3f} mm"] for k in range(13)]

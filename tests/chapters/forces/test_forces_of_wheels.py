@@ -112,6 +112,8 @@ def test_a_run_that_would_push_is_told(turns: str, resists: bool) -> None:
     told = [one for one in all_warnings(make(tmm.read(text)), "en") if "would push" in one]
     assert len(told) == (not resists), told
     assert all("in position 8 the run LK of the belt would push link 4" in one for one in told)
+    chain = all_warnings(make(tmm.read(text.replace('"ремень"', '"цепь"'))), "en")
+    assert sum("the run LK of the chain would push link 4" in one for one in chain) == len(told)
     found = tmm.motion(text, [40.0], plans=("forces",), exact=True)
     assert abs(found.forces["R14"][0]) == pytest.approx(12 / 0.08, rel=1e-12)
 

@@ -21,6 +21,7 @@ from graphic_tmm.chapters.gears.shift_chart import ADVISED, Chart, chart_of
 from graphic_tmm.chapters.gears.task import GearTask
 from graphic_tmm.chapters.gears.views import gear_views
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.paper.drawing import Stroke
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 
@@ -34,6 +35,7 @@ PAIRS = [
     GearTask(14, 30, 0.003, beta=20.0),
     GearTask(24, 36, 0.004, ha=(1.1, 0.9)),
     GearTask(30, -70, 0.004),
+    GearTask(35, 54, 0.004, alpha=14.5, ha=(1.2, 0.8), delta_y=0.0),
 ]
 
 
@@ -133,12 +135,28 @@ language = "en"
 z1 = {z1}
 z2 = {z2}
 m = "5 mm"
-x1 = 0.5
+x1 = {x1}
 x2 = 0.4
 {more}
 [[sheet]]
 format = "A1"
 """
+
+
+def test_shifts_that_are_taken_are_shown_wherever_they_are(tmp_path: Path) -> None:
+    """Beside the region, too, with their letters of a helical pair, on both axes and in the caption."""
+    more = 'chart = true\nbeta = "20 deg"'
+    for x1 in (-1.3, 3.0):
+        drawn = drawn_of(tmp_path, 24, 36, more, x1=x1)
+        (view,) = (one for one in gear_views(drawn, True) if one.role == "gear-shifts")
+        texts = [label.text for label in view.labels]
+        assert f"K: x_{{n1}} = {x1:g}, x_{{n2}} = 0.4".replace("-", "−") in texts
+        assert {"K", "x_{n1}", "x_{n2}"} <= set(texts)
+        (dot,) = (one for one in view.strokes if isinstance(one, Stroke) and one.filled)
+        frame = next(one for one in view.strokes if isinstance(one, Stroke) and one.closed)
+        xs = [x for x, *_ in frame.path]
+        assert min(xs) < min(x for x, *_ in dot.path)
+        assert max(x for x, *_ in dot.path) < max(xs)
 
 
 @pytest.mark.parametrize("more", ["", "chart = true"])
@@ -152,9 +170,9 @@ def test_it_is_drawn_where_it_is_asked_for(tmp_path: Path, more: str) -> None:
         assert "ε_{α} = 1.2" in texts
 
 
-def drawn_of(folder: Path, z1: int, z2: int, more: str) -> Drawn:
+def drawn_of(folder: Path, z1: int, z2: int, more: str, x1: float = 0.5) -> Drawn:
     path = folder / "scene.toml"
-    path.write_text(SCENE.format(z1=z1, z2=z2, more=more), encoding="utf-8")
+    path.write_text(SCENE.format(z1=z1, z2=z2, more=more, x1=x1), encoding="utf-8")
     (drawn,) = in_usual_size(read(path), exact=True).boards
     return drawn
 

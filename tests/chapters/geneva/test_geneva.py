@@ -245,6 +245,13 @@ def test_what_does_not_work_is_told(tmp_path: Path, case: dict[str, object], say
     assert says in " ".join(said_of(wheel_of(tmp_path, 4, 0.1 + 0j, **case)))  # type: ignore[arg-type]
 
 
+def test_a_disc_that_is_none_is_not_drawn(tmp_path: Path) -> None:
+    for pin, drawn_disc in (("50 mm", False), ("10 mm", True)):
+        drawn = wheel_of(tmp_path, 4, 0.1 + 0j, more=f'pin = "{pin}"')
+        view = draw_wheel(subject(drawn, ""), GENEVA_PLAN.on(drawn))
+        assert any(one.part == "disc" for one in view.strokes) is drawn_disc
+
+
 def test_a_good_wheel_is_left_in_peace(tmp_path: Path) -> None:
     assert not list(said_of(wheel_of(tmp_path, 4, 0.1 + 0j)))
 

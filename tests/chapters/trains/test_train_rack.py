@@ -71,6 +71,7 @@ def test_its_section_stands_below_the_wheel_with_its_number(tmp_path: Path) -> N
     texts = [label.text for label in view.labels]
     assert {"6", "7"} <= set(texts)
     assert any(text.startswith("v_7 = π·m·z_6·n_5/60") for text in texts)
+    assert "n = 900/9 = 100 rpm" in texts
     boxes = [
         [complex(*at[:2]) for at in one.path]
         for one in view.strokes
@@ -91,6 +92,12 @@ def test_its_section_stands_below_the_wheel_with_its_number(tmp_path: Path) -> N
         one for one in across if one[1] == pytest.approx(wheel[0], abs=1e-9) and one[2] == wheel[2]
     )
     assert rack[0] < rack[1]
+
+
+def test_the_speed_behind_has_no_sign_whichever_way_it_is_driven(tmp_path: Path) -> None:
+    board = drawn_of(tmp_path, "behind = [[18, 36]]", 20, 4.0, -900, 20, 25)
+    texts = [label.text for label in planetary_views(board, True)[0].labels]
+    assert "n = 900/9 = 100 rpm" in texts
 
 
 def test_where_no_shaft_is_no_rack_is(tmp_path: Path) -> None:

@@ -51,11 +51,13 @@ ROUNDED = 1e-9
 class Displacements:
     """The displacements of a phase, of 1, line by line from its outer end; one of their last ``digit``.
 
-    Each may be off by half of that, but for the ends.
+    Each may be off by half of that, but for the ends. ``ends``: the slopes there, if these lines were read off
+    a spline through others, 0 where it is at rest.
     """
 
     heights: tuple[float, ...]
     digit: float = 0.0
+    ends: tuple[float, float] | None = None
 
     @property
     def steps(self) -> int:
@@ -83,6 +85,8 @@ class Displacements:
     @property
     def speeds(self) -> tuple[float, float]:
         """With which velocities it begins and ends, of h/Φ."""
+        if self.ends is not None:
+            return self.ends
         far, y = self.stride, self.heights
         lines = (y[:: sense * far][:4] for sense in (1, -1))
         first, last = ((one[1] - _even_thirds(*one)) * self.steps / far / 2.0 for one in lines)
@@ -91,8 +95,10 @@ class Displacements:
     @property
     def shocks(self) -> tuple[bool, bool]:
         """Whether it begins and ends with a velocity, whatever its figures were before they were rounded."""
-        doubt = DOUBT * self.digit * self.steps / self.stride
         begins, ends = self.speeds
+        if self.ends is not None:
+            return begins > SHOCK, ends > SHOCK
+        doubt = DOUBT * self.digit * self.steps / self.stride
         return begins > SHOCK + doubt, ends > SHOCK + doubt
 
     @property
@@ -129,7 +135,7 @@ def _even_thirds(first: float, second: float, third: float, fourth: float) -> fl
 
 def table_of(law: Law) -> Displacements:
     """Return the table of a law that is given so."""
-    return Displacements(tuple(height for _, height in law.points), law.digit)
+    return Displacements(tuple(height for _, height in law.points), law.digit, law.ends)
 
 
 def _points(draft: Draft, ground: Ground, which: str, height: Mark) -> tuple[Mark, ...]:
