@@ -251,10 +251,6 @@ HEAD = 'title = "T"\nlanguage = "en"\n[cam]\nform = "translating"\nstroke = "20 
         ('rise = "80 mm"\nspeed = "90 rpm"', "speed"),
         ('rise = "80 mm"\nmass = "1 kg"', "mass"),
         (
-            'rise = "80 mm"\ngroove = true\nfollower = "rocker"\nlever = "80 mm"\ncentres = "90 mm"',
-            "follower",
-        ),
-        (
             'rise = "80 mm"\nlaw = "table"\nlaw_table = [["0 deg", "0 mm"], ["80 deg", "20 mm"]]',
             "law_table",
         ),
