@@ -256,7 +256,9 @@ def _farthest(curve: Curve, way: Complexes) -> Complexes:
     found = np.concatenate([knots, *stationary(knots, curve.tangents, turned)], axis=1)
     heights = np.nan_to_num((found * turned).real, nan=-np.inf)
     most = heights.max(axis=1, keepdims=True)
-    best = np.argmax(heights >= most - EVEN * np.abs(most), axis=1)
+    # against the size of the curve: the heights of one that lies on the axis are rounding
+    size = np.fmax.reduce(np.abs(knots), axis=1, keepdims=True)
+    best = np.argmax(heights >= most - EVEN * np.fmax(size, np.abs(most)), axis=1)
     numbers = np.isfinite(curve.knots) & np.isfinite(curve.tangents)
     whole = np.all(numbers, axis=1, keepdims=True)
     return np.where(whole, np.take_along_axis(found, best[:, None], axis=1), np.nan)

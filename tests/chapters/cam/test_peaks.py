@@ -8,7 +8,9 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.boards import usual_part
+from support.scenes import written
 
+from graphic_tmm.readers.findings import warnings
 from graphic_tmm.readers.table import results_of
 from graphic_tmm.scene.read import read
 
@@ -80,3 +82,17 @@ def test_peaks_are_those_of_the_law(tmp_path: Path, law: str, follower: str) -> 
     for name, extent in (("rise", RISE), ("return", FALL)):
         assert found[f"dS_max_{name}"][0] == pytest.approx(high * speed / extent, rel=1e-9)
         assert found[f"ddS_max_{name}"][0] == pytest.approx(high * second / extent**2, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    "cam",
+    [
+        'form = "translating"\nrise = "80 mm"\nupper_dwell = "20 mm"',
+        'form = "drum"\nradius = "60 mm"\nrise = 120\nfall = 90',
+    ],
+)
+def test_the_curvature_of_a_straight_profile_is_not_in_doubt(tmp_path: Path, cam: str) -> None:
+    """Its heights are rounding, so their crest is nowhere; the first point is taken in every trial."""
+    text = f'title = "T"\nlanguage = "en"\n[cam]\nstroke = "20 mm"\nlaw = "uniform"\n{cam}\n'
+    drawn = usual_part("cam", read(written(tmp_path, text)))
+    assert not [told for told in warnings(drawn, "en") if "uncertain" in told]
