@@ -307,11 +307,17 @@ def integrate(
     ``mean``: that of the "areas" below the curve, the curve's ordinate at the "middles", or that of the
     "chords" between the points ``at``.
     """
-    row = source.base.intervals
     draft.open(source.view)
     high = _mean_ordinates(draft, source, curve, mean, at)
+    return add_up(draft, source, high, to, pole, letter)
+
+
+def add_up(draft: Draft, source: Axes, high: Mark, to: Axes, pole: Pole, letter: str) -> Boundaries:
+    """Integrate by mean ordinates: ``high`` are points as high as these, anywhere over their intervals."""
+    row = source.base.intervals
+    draft.open(source.view)
     level = draft.draw(parallel, f"({high.letter})", high, source.along, sense=1, why=MEAN_LEVEL)
-    cut = draft.draw(meet, "h_y", source.up, level, free=True, why=MEAN_LEVEL)
+    cut = draft.draw(meet, f"{high.name}_y", source.up, level, free=True, why=MEAN_LEVEL)
     rays = draft.draw(join, f"(P{cut.letter})", pole.point, cut, why=MEAN_RAY)
     draft.open(to.view)
     points = draft.draw(succession, letter, to.origin, rays, to.feet, to.end, row=row)

@@ -193,13 +193,18 @@ def periodic(points: NDArray[Any]) -> NDArray[Any]:
 
 def natural(points: Complexes) -> Complexes:
     """Return the tangents of the natural cubic spline through evenly spaced points."""
-    n = points.size
-    matrix = 4.0 * np.eye(n) + np.eye(n, k=1) + np.eye(n, k=-1)
-    matrix[0, 0] = matrix[-1, -1] = 2.0
     right = np.empty_like(points)
     right[1:-1] = 3.0 * (points[2:] - points[:-2])
     right[0], right[-1] = 3.0 * (points[1] - points[0]), 3.0 * (points[-1] - points[-2])
-    return np.asarray(np.linalg.solve(matrix, right))
+    main = np.full(points.size, 4.0)
+    main[0] = main[-1] = 2.0
+    for k in range(1, points.size):
+        main[k] -= 1.0 / main[k - 1]
+        right[k] -= right[k - 1] / main[k - 1]
+    for k in range(points.size - 1, -1, -1):
+        after = right[k + 1] if k + 1 < points.size else 0.0
+        right[k] = (right[k] - after) / main[k]
+    return np.asarray(right)
 
 
 def stationary(p: Complexes, m: Complexes, turned: complex | Complexes) -> list[Complexes]:

@@ -27,6 +27,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.flywheel import words as why
 from graphic_tmm.chapters.flywheel.task import ENERGY_MASS as VIEW
+from graphic_tmm.chapters.flywheel.task import FLYWHEEL
 from graphic_tmm.chapters.kinematics.motion import Motion, reading_of
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -41,7 +42,9 @@ class Energies(NamedTuple):
     total: Mark
 
 
-def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Energies:
+def draw_energies(
+    draft: Draft, mechanism: Mechanism, velocities: Motion, section: str = FLYWHEEL
+) -> Energies:
     """Calculate the energies of all links that have a mass or a moment of inertia, in the open view.
 
     Raises
@@ -55,8 +58,8 @@ def draw_energies(draft: Draft, mechanism: Mechanism, velocities: Motion) -> Ene
     if not parts:
         raise StructureError(
             said("no link has a mass or J: write mass and J of the links that have them"),
-            "flywheel",
-            head="flywheel",
+            section,
+            head=section,
         )
     total: Mark | None = None
     for part in parts.values():

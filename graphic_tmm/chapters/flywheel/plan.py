@@ -125,9 +125,9 @@ def draw_flywheel(
     base = graphs.lay_base(draft, length, mu_phi, machine.count, machine.numbers[None, :])
     apart: tuple[Mark, ...] = ()
     if cylinder is not None:
-        moment, apart = _by_gas(draft, machine, cylinder, order.constant)
+        moment, apart = reduced_gas(draft, machine, cylinder, order.constant)
     else:
-        moment = _by_loads(draft, machine, forces, order.constant)
+        moment = reduced_loads(draft, machine, forces, order.constant)
     mu_M = draft.scale("μ_M", "(N·m)/mm")
     heights = draft.draw(to_board, "y_M", moment)
     axes = graphs.draw_axes(draft, VIEWS["moment"], base, mu_M)
@@ -207,7 +207,7 @@ def draw_aim(draft: Draft, order: FlywheelTask, segment: Mark, omega: Mark) -> t
     return draft.draw(irregularity, "δ", segment, inertia, omega), inertia
 
 
-def _by_gas(
+def reduced_gas(
     draft: Draft, machine: Machine, cylinder: Cylinder, constant: str
 ) -> tuple[Mark, tuple[Mark, ...]]:
     """Calculate the reduced moment of the gas, and those of several cylinders, of which it is the sum.
@@ -253,7 +253,9 @@ def _of_cylinder(draft: Draft, machine: Machine, cylinder: Cylinder, constant: s
     return draft.draw(reduced_moment, name, sign, force, speed, drawn, machine.arm, unit="N·m")
 
 
-def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: str) -> Mark:
+def reduced_loads(
+    draft: Draft, machine: Machine, forces: Forces | None, constant: str, section: str = FLYWHEEL
+) -> Mark:
     """Reduce the loads to the crank by their moments on the lever; inertia belongs to the energies.
 
     The moment of a force on the lever has the sign of its power where the crank turns counter-clockwise.
@@ -261,16 +263,16 @@ def _by_loads(draft: Draft, machine: Machine, forces: Forces | None, constant: s
     if forces is None:
         raise StructureError(
             said("nothing drives or resists: give an [indicator], or loads and [forces]"),
-            "flywheel",
-            head="flywheel",
+            section,
+            head=section,
         )
     moments = forces.first.lever.moments
     found = [one.value for load in forces.loads.outer for one in moments if one.load == load]
     if not found:
         raise StructureError(
             said("no load does work: give gravity or a [[load]] besides inertia"),
-            "flywheel",
-            head="flywheel",
+            section,
+            head=section,
         )
     total = found[0]
     for more in found[1:]:

@@ -19,7 +19,7 @@ from graphic_tmm.chapters.flywheel.task import ASKED, CALCULATED, FLYWHEEL
 from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
 from graphic_tmm.chapters.forces.task import FORCES
 from graphic_tmm.chapters.indicator.plan import machine_of
-from graphic_tmm.chapters.indicator.task import INDICATOR, Wish
+from graphic_tmm.chapters.indicator.task import INDICATOR, IndicatorTask, Wish
 from graphic_tmm.chapters.kinematics.task import FULL_TURN, TURNS, VELOCITIES
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench, Plan
@@ -154,15 +154,18 @@ def _force(draft: Draft, made: Flywheel) -> Mark | None:
     return draft.draw(reduced_force, "P_{red}", *draft.uses(made.moment)[:4], unit="N")
 
 
-def _needs(scene: Scene) -> dict[str, object]:
-    order = ASKED.of(scene)
-    gas = order.indicator if order is not None else None
+def needs_of(gas: IndicatorTask | None, scene: Scene, by: str) -> dict[str, object]:
+    """Return what has to be recorded for a machine that gas or loads drive; ``by``: the chapter that asks."""
     if gas is None:
         forces = FORCES_ASKED.of(scene)
         turns = {TURNS: forces.turns} if forces is not None and forces.turns > 1 else {}
         return {VELOCITIES: True, FORCES: True, **turns}
-    wish = Wish(3, FLYWHEEL, gas)
-    return {VELOCITIES: True, INDICATOR: wish, TURNS: gas.turns}
+    return {VELOCITIES: True, INDICATOR: Wish(3, by, gas), TURNS: gas.turns}
+
+
+def _needs(scene: Scene) -> dict[str, object]:
+    order = ASKED.of(scene)
+    return needs_of(order.indicator if order is not None else None, scene, FLYWHEEL)
 
 
 PLAN = Plan(

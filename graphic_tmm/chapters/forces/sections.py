@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
 
+MASSES_USED = ("flywheel", "motion_law")
+"""Sections that have a use of their own for masses and loads."""
+
+
 def _effects(asked: Said, parts: Parts) -> Iterator[Flaw]:
     if asked.gas and "indicator" not in parts.doc:
         says = said("no pressures are given; write a section [indicator], or leave gas out")
@@ -54,7 +58,7 @@ def _unknown(path: Path, unknown: task.Unknown, parts: Parts) -> Iterator[Flaw]:
     if effects is not None and effects.friction:
         says = said("friction is drawn for a drive that is balanced; leave friction or unknown out")
         yield Flaw(path, says)
-    for other in (*ONE_TURN, "flywheel"):
+    for other in (*ONE_TURN, *MASSES_USED):
         if other in parts.doc:
             says = said(
                 "the graphs of [{other}] want all loads known; give it a scene of its own",
@@ -176,10 +180,9 @@ def _idle_friction(asked: Said, parts: Parts) -> Iterator[str]:
 def _defaults(asked: Said, parts: Parts) -> Iterator[str]:
     effects = parts.said["effects"]
     still = effects is not None and not effects.gravity and not effects.inertia
-    # a flywheel has its own use for them
     if (
         still
-        and "flywheel" not in parts.doc
+        and not any(name in parts.doc for name in MASSES_USED)
         and any(link.mass for link in parts.links if link is not None)
     ):
         yield said(

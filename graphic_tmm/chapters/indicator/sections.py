@@ -221,7 +221,7 @@ def _of_turn(path: Path, parts: list[Stroke], side: str, before: int) -> Iterato
 def _idle(asked: Said, parts: Parts) -> Iterator[str]:
     effects, doc = parts.said["effects"], parts.doc
     gas = effects is not None and effects.gas and "forces" in doc
-    if not (gas or "flywheel" in doc or "engine" in doc):
+    if not (gas or any(name in doc for name in ("flywheel", "engine", "motion_law"))):
         yield said(
             "indicator: nothing asks for the gas; add [flywheel] or [engine], or gas = true in [effects] with "
             "[forces], or take [indicator] out"

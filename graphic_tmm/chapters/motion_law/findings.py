@@ -1,0 +1,39 @@
+"""What people are told of a law of motion besides: a machine that does not start, or comes to rest."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from graphic_tmm.chapters.kinematics.findings import assumed
+from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import number
+from graphic_tmm.readers.findings import Warned
+
+NEAR = 1e-6
+"""A motion that ends nearer to the end of the base than this share of it goes to the end."""
+
+
+def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
+    law = LAW_PLAN.of(drawn)
+    if law is None:
+        return
+    _ = speaking(language)
+    far, whole = drawn.value(law.angle), math.tau * law.turns
+    if far <= NEAR * whole:
+        yield _(
+            "motion_law: the machine does not start: at rest the forces do not drive the crank; change M, the "
+            "loads or the zero position"
+        )
+    elif far < (1.0 - NEAR) * whole:
+        yield _(
+            "motion_law: the machine comes to rest at φ = {angle}° after {time} s, and does not reach the "
+            "positions behind",
+            angle=number(math.degrees(far), language, 4), time=number(drawn.value(law.time), language, 3),
+        )  # fmt: skip
+    yield from assumed(drawn)
+
+
+WARNINGS = Warned(_warnings)

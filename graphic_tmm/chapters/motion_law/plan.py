@@ -1,0 +1,295 @@
+"""The law of motion: moments and their work, the energy over the inertia, ω by rays, ε by subnormals, t.
+
+Every graph stands over the same base. What is known at positions is known at the end of the base, too: a
+second mark beside that of the row. Moments that depend on the position alone give the energy directly; the
+energy–mass diagram then has its true origin, and a ray to the point of a position tells its speed.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from graphic_tmm.board import graphs
+from graphic_tmm.board.charts import STANDARD, Chart, integrated_scale
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.graphs import Base, Boundaries
+from graphic_tmm.board.operations.energetics import added, reduced_inertia
+from graphic_tmm.board.operations.formulas import in_si, to_board
+from graphic_tmm.board.operations.graph_curves import open_graph
+from graphic_tmm.board.operations.graphs import at_zero
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure_along,
+    ray,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number, Point
+from graphic_tmm.chapters.flywheel.energy import draw_energies
+from graphic_tmm.chapters.flywheel.plan import reduced_gas, reduced_loads
+from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
+from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.motion_law import operations as op
+from graphic_tmm.chapters.motion_law import words as why
+from graphic_tmm.chapters.motion_law.over_angle import Both, OverAngle, at_end
+from graphic_tmm.chapters.motion_law.task import (
+    ASKED,
+    ENERGY,
+    MASS,
+    MOMENT,
+    MOTION_LAW,
+    TIME,
+    WORK,
+    MotionLawTask,
+)
+from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Recorded
+
+
+class Inertia(NamedTuple):
+    """The energy–mass diagram as begun: its axes, the feet of J (Point), J of the first position and T_0 there.
+
+    The machine has that J (``x``, a Length) at the end of the base again. ``start``, ``first``: ω_0, T_0.
+    """
+
+    mu: Mark
+    origin: Mark
+    along: Mark
+    up: Mark
+    feet: Both
+    x: Mark
+    start: Mark
+    first: Mark
+
+
+@dataclass(frozen=True)
+class MotionLaw:
+    """The law of motion as drawn: its charts, the points of the energy–mass diagram, where the motion ends.
+
+    ``omega``: 1/s at positions and at the end of the base (Number). ``rest``: where the motion ends (Point on
+    the graph of the energy); ``angle``, ``time``: how far and how long it goes until there (Number). ``rays``:
+    those of the diagram, ``curve`` through its points.
+    """
+
+    order: MotionLawTask
+    base: Base
+    turns: int
+    cylinder: Cylinder | None
+    charts: tuple[Chart, ...]
+    inertia: Inertia
+    points: Both
+    curve: Mark
+    rays: Both
+    omega: Both
+    rest: Mark
+    angle: Mark
+    time: Mark
+
+
+LAW_PLAN: Recorded[MotionLaw] = Recorded(MOTION_LAW)
+
+
+def record(bench: Bench) -> MotionLaw | None:
+    """Draw the law of motion that a scene asks for: by the gas of its cylinders, else by loads of the links."""
+    order = ASKED.of(bench.scene)
+    if order is None:
+        return None
+    cylinder = INDICATOR_PLAN.of(bench) if order.indicator is not None else None
+    return draw_law(bench.draft, machine_of(bench), order, cylinder, FORCES_PLAN.of(bench))
+
+
+def draw_law(
+    draft: Draft,
+    machine: Machine,
+    order: MotionLawTask,
+    cylinder: Cylinder | None,
+    forces: Forces | None,
+) -> MotionLaw:
+    """Draw everything from the reduced moment to the time.
+
+    Raises
+    ------
+    StructureError
+        If nothing has a mass, or nothing does work.
+    """
+    law = _Law(draft, machine, order)
+    law.moments(cylinder, forces)
+    law.works()
+    law.inertias()
+    law.energies()
+    omega = law.rays()
+    law.speeds(omega)
+    law.accelerations()
+    law.times()
+    angle, time = law.rests()
+    return MotionLaw(
+        order,
+        law.base,
+        machine.turns,
+        cylinder,
+        (*(cylinder.charts if cylinder is not None else ()), *law.charts),
+        law.inertia,
+        law.points,
+        law.curve,
+        law.ray_lines,
+        omega,
+        law.rest,
+        angle,
+        time,
+    )
+
+
+class _Law(OverAngle):
+    """The graphs while they are drawn, one after another."""
+
+    inertia: Inertia
+    points: Both
+    curve: Mark
+    ray_lines: Both
+    rest: Mark
+
+    # ------------------------------------------------------------ what acts, and its work
+
+    def moments(self, cylinder: Cylinder | None, forces: Forces | None) -> None:
+        """Reduce what acts to the crank, draw its moment: positive where it drives."""
+        draft, machine, own = self.draft, self.machine, self.order.M
+        moment: Mark | None = None
+        if cylinder is not None:
+            moment, _ = reduced_gas(draft, machine, cylinder, "resisting")
+        elif not own or (forces is not None and forces.loads.outer):
+            moment = reduced_loads(draft, machine, forces, "resisting", MOTION_LAW)
+        if own:
+            constant = draft.take(Number, "M_c", own, "N·m")
+            moment = (
+                constant
+                if moment is None
+                else draft.draw(added, "M_Σ", moment, constant, unit="N·m", why=why.MOMENTS)
+            )
+        assert moment is not None
+        mu = draft.scale("μ_M", "(N·m)/mm")
+        heights = draft.draw(to_board, "y_M", moment)
+        self.moment_axes = graphs.draw_axes(draft, MOMENT, self.base, mu)
+        self.moment_points = graphs.lay_ordinates(draft, self.moment_axes, heights, "k")
+        self.moment_curve = graphs.taut(draft, self.moment_axes, self.moment_points)
+        read = graphs.measure_ordinates(draft, self.moment_axes, self.moment_points.points, "M")
+        self.chart(MOMENT, "M", "N·m", mu, read)
+
+    def works(self) -> None:
+        """Integrate the moment: the work of all forces since the first position."""
+        draft, source = self.draft, self.moment_axes
+        draft.open(WORK)
+        scaled = integrated_scale(draft, "A", "J/mm", source.mu, self.base.mu, STANDARD, "H")
+        axes = graphs.draw_axes(draft, WORK, self.base, scaled.mu)
+        pole = graphs.set_pole(draft, source, scaled.distance)
+        at = graphs.integrate(draft, source, self.moment_curve, axes, pole, "A")
+        graphs.along_rays(draft, axes, at, pole.point, self.moment_points, source)
+        self.work = self.read(axes, at, "A")
+        self.work_mu = scaled.mu
+        self.chart(WORK, "A", "J", scaled.mu, *self.work)
+
+    # ------------------------------------------------------------ what moves, and its energy
+
+    def inertias(self) -> None:
+        """Lay off the reduced moments of inertia, from the true origin; calculate the first energy."""
+        draft = self.draft
+        draft.open(MASS)
+        inertia = self._reduced()
+        mu = draft.scale("μ_J", "(kg·m²)/mm")
+        x = draft.draw(to_board, "x_J", inertia)
+        draft.lay_out()
+        origin = draft.take(Point, "O", 0j)
+        along = draft.draw(ray, "(Ox)", origin, draft.direction(0.0))
+        up = draft.draw(square, "(Oy)", origin, along, sense=1)
+        feet = draft.draw(lay_off, "j", along, x, why=why.MASS_POINT)
+        end = draft.draw(at_zero, at_end("j"), feet, why=why.SAME_PLACE)
+        first_x = draft.draw(measure_along, "x_0", origin, end, along)
+        omega = draft.take(Number, "ω_0", self.order.start, "1/s")
+        first = draft.draw(op.first_energy, "T_0", first_x, mu, omega, unit="J")
+        self.inertia = Inertia(mu, origin, along, up, Both(feet, end), first_x, omega, first)
+        read = draft.draw(measure_along, "J_r", origin, feet, along)
+        self.chart(MASS, "J", "kg·m²", mu, read)
+
+    def _reduced(self) -> Mark:
+        """Calculate the reduced moment of inertia of links and of what turns with the crank."""
+        draft, machine, own = self.draft, self.machine, self.order.J
+        found: Mark | None = None
+        if any(link.mass or link.inertia for link in machine.mechanism.links) or not own:
+            energies = draw_energies(draft, machine.mechanism, machine.velocities, MOTION_LAW)
+            assert machine.velocities.speed is not None
+            speed = machine.velocities.speed
+            found = draft.draw(reduced_inertia, "J_{red}", energies.total, speed, unit="kg·m²")
+        if not own:
+            assert found is not None
+            return found
+        turning = draft.take(Number, "J_c", own, "kg·m²")
+        if found is None:
+            return turning
+        return draft.draw(added, "J_Σ", found, turning, unit="kg·m²", why=why.INERTIAS)
+
+    def energies(self) -> None:
+        """Draw the kinetic energy, as far as the machine goes; mark where its motion ends."""
+        draft = self.draft
+        draft.open(ENERGY)
+        mu = draft.scale("μ_T", "J/mm")
+        rows, ends = ((self.inertia.first, work, self.work_mu) for work in self.work)
+        known = self.both(op.energy, "T", rows, ends, unit="J")
+        heights = self.both(to_board, "y_T", (known.row, mu), (known.end, mu))
+        axes = graphs.draw_axes(draft, ENERGY, self.base, mu)
+        laid = self.laid(axes, heights, "t")
+        kept = draft.draw(op.until_rest, "g", laid.points, row=self.row)
+        last = draft.draw(op.reached, at_end("g"), laid.end, kept, row=self.row)
+        at = Boundaries(kept, last)
+        curve = graphs.through(draft, axes, at, closed=False)
+        self.rest = draft.draw(op.comes_to_rest, "z", curve)
+        self.energy_axes = axes
+        self.energy = self.read(axes, at, "T")
+        self.chart(ENERGY, "T", "J", mu, *self.energy)
+
+    def rays(self) -> Both:
+        """Draw the rays of the energy–mass diagram; return the speeds that they tell."""
+        draft, own, mu_T = self.draft, self.inertia, self.energy_axes.mu
+        draft.open(MASS)
+        lines = [
+            draft.draw(square, f"({foot.letter})", foot, own.along, sense=1, why=why.MASS_POINT)
+            for foot in own.feet
+        ]
+        row, end = zip(lines, self.energy, strict=True)
+        self.points = self.both(lay_off, "e", row, end, why=why.MASS_POINT)
+        self.curve = draft.draw(open_graph, "(e–e)", *self.points, row=self.row)
+        row, end = ((own.origin, point) for point in self.points)
+        self.ray_lines = self.both(join, "(Oe)", row, end, why=why.RAY)
+        up = [
+            draft.draw(measure_along, name, own.origin, point, own.up)
+            for name, point in zip(("T_e", at_end("T_e")), self.points, strict=True)
+        ]
+        along = [
+            draft.draw(measure_along, name, own.origin, point, own.along)
+            for name, point in zip(("J_e", at_end("J_e")), self.points, strict=True)
+        ]
+        row, end = zip(up, along, strict=True)
+        slope = self.both(op.slope_of_ray, "tan ψ", row, end)
+        rows, ends = ((one, mu_T, own.mu) for one in slope)
+        told = self.both(op.speed_of_ray, "ω_e", rows, ends, unit="1/s")
+        return told._replace(row=draft.draw(op.begins_with, "ω", told.row, own.start, unit="1/s"))
+
+    # ------------------------------------------------------------ how it moves
+
+    def rests(self) -> tuple[Mark, Mark]:
+        """Measure how far the motion goes, calculate how long."""
+        draft, axes, speed, energy = self.draft, self.time_axes, self.speed_axes, self.energy_axes
+        draft.open(TIME)
+        far = draft.draw(measure_along, "x_z", energy.origin, self.rest, energy.along)
+        angle = draft.draw(in_si, "φ_z", far, self.base.mu, unit="rad")
+        before = draft.draw(op.last_before, "τ_z", self.time_points.points, self.rest, row=self.row)
+        fast = draft.draw(op.last_before, "w_z", self.speed.points, self.rest, row=self.row)
+        near = draft.draw(measure_along, "x_b", axes.origin, before, axes.along)
+        since = draft.draw(measure_along, "t_b", axes.origin, before, axes.up)
+        first = draft.draw(measure_along, "ω_b", speed.origin, fast, speed.up)
+        high = draft.draw(measure_along, "T_z", energy.origin, self.rest, energy.up)
+        slope = draft.draw(op.slope_of_ray, "tan ψ_z", high, self.inertia.x)
+        last = draft.draw(op.speed_of_ray, "ω_z", slope, energy.mu, self.inertia.mu, unit="1/s")
+        ends = draft.draw(to_board, "y_z", last, speed.mu)
+        used = (since, axes.mu, far, near, self.base.mu, first, ends, speed.mu)
+        return angle, draft.draw(op.time_at_end, "t_z", *used, unit="s")

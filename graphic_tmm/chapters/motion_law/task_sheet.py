@@ -1,0 +1,77 @@
+"""What a task gives of a law of motion, and what it asks, a sentence each."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.chapters.indicator import given as gas
+from graphic_tmm.chapters.indicator.given import given_of
+from graphic_tmm.chapters.motion_law.task import ASKED, MOTION_LAW
+from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.said import said
+from graphic_tmm.readers.task_sheet import Acting, Given, Listed, Posed, TaskSheet
+from graphic_tmm.scene.records import Scene
+
+
+def given(scene: Scene) -> Iterator[Given]:
+    """Yield the speed at the beginning, the constant moment, what turns with the crank."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    if order.indicator is not None:
+        yield from given_of(order.indicator)
+    yield Given("ω_0", order.start, "1/s")
+    if order.M:
+        yield Given("M_c", order.M, "N·m")
+    if order.J:
+        yield Given("J_c", order.J, "kg·m²")
+
+
+def asks(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the motion from its beginning on."""
+    order = ASKED.of(scene)
+    if order is None:
+        return
+    _ = speaking(language)
+    yield _(_RUNS if order.start else _STARTS, n=order.turns)
+    yield _(_GRAPHS)
+
+
+_STARTS = said(
+    "The machine starts from rest; its motion over {n} turn of the crank is sought.",
+    "The machine starts from rest; its motion over {n} turns of the crank is sought.",
+)
+_RUNS = said(
+    "In the first position the crank turns at ω_0; the motion over {n} turn of it is sought.",
+    "In the first position the crank turns at ω_0; the motion over {n} turns of it is sought.",
+)
+_GRAPHS = said(
+    "Over the angle of the crank are drawn the reduced moment of all forces, their work, the kinetic energy, "
+    "by the energy–mass diagram ω, by subnormals ε, by integrating 1/ω the time."
+)
+
+
+def stated(scene: Scene, language: str) -> Iterator[str]:
+    """Tell which cylinders begin their cycle later."""
+    order = ASKED.of(scene)
+    if order is not None:
+        yield from gas.stated(order.indicator, language)
+
+
+def listed(scene: Scene, language: str) -> Iterator[Listed]:
+    """Yield the pressures in the cylinder."""
+    order = ASKED.of(scene)
+    if order is not None:
+        yield from gas.listed(order.indicator, scene, language)
+
+
+def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
+    """Yield the force of the gas."""
+    order = ASKED.of(scene)
+    if order is not None:
+        yield from gas.acting(order.indicator, scene, posed)
+
+
+TASK_SHEET = TaskSheet(
+    given=given, stated=stated, listed=listed, acting=acting, wanted={MOTION_LAW: asks}
+)
