@@ -126,6 +126,58 @@ def machine(seed: int) -> Machine:
     return Machine(own, moment, inertia, start)
 
 
+class Catalogue(NamedTuple):
+    """A motor as its catalogue has it: power (W), nominal and synchronous speed (1/s), M_k/M_n; on the crank.
+
+    ``straight``: its characteristic goes straight through the nominal point.
+    """
+
+    power: float
+    nominal: float
+    synchronous: float
+    overload: float
+    ratio: float
+    straight: bool
+
+    def __call__(self, omega: float) -> float:
+        """The moment on the crank: Kloss's formula by the slip, of which a quadratic equation gives s_k."""
+        turns, nominal = omega * self.ratio, self.power / self.nominal
+        slip, own = (1.0 - one / self.synchronous for one in (turns, self.nominal))
+        if self.straight:
+            return self.ratio * nominal * slip / own
+        # 2λ/(s/k + k/s) = 1 at the nominal slip: k² − 2λs·k + s² = 0, the greater root
+        critical = max(np.roots([1.0, -2.0 * self.overload * own, own**2]).real)
+        return float(2.0 * self.ratio * self.overload * nominal * slip * critical / (slip**2 + critical**2))
+
+    def written(self, step: int = 1) -> str:
+        """Its section of a scene."""
+        own = f"power = {self.power!r}\nnominal = {self.nominal!r}\nratio = {self.ratio!r}\nstep = {step}\n"
+        if self.straight:
+            return f"[motor]\nno_load = {self.synchronous!r}\n{own}"
+        return f"[motor]\nsynchronous = {self.synchronous!r}\noverload = {self.overload!r}\n{own}"
+
+
+def driven(seed: int) -> tuple[Machine, Catalogue]:
+    """A machine drawn at random that a motor drives against its load; every other one starts from rest."""
+    rng = np.random.default_rng(5000 + seed)
+    own = crank(seed)
+    row = own(np.arange(720) * np.pi / 360)
+    size = float(np.ptp(row[0]))
+    load = float(rng.uniform(0.1, 0.4)) * size
+    idle, ratio = float(rng.uniform(10.0, 40.0)), float(rng.uniform(1.0, 40.0))
+    slip, due = float(rng.uniform(0.03, 0.1)), load * float(rng.uniform(1.2, 2.0))
+    nominal = idle * ratio * (1.0 - slip)
+    motor = Catalogue(due / ratio * nominal, nominal, idle * ratio, float(rng.uniform(1.8, 3.0)), ratio,
+                      straight=seed % 3 == 2)  # fmt: skip
+    inertia = float(rng.uniform(10.0, 60.0)) * due / idle**2 + size / idle**2 * 8.0
+    start = 0.0 if seed % 2 else idle * float(rng.uniform(0.5, 0.95))
+    moment = -load - float(row[0].mean())
+    if not start:
+        moment = min(moment, 0.8 * motor(0.0) - float(row[0][0]) if row[0][0] < 0 else moment)
+        moment = max(moment, -float(row[0].min()) - 0.8 * motor(0.0)) if motor.straight else moment
+    return Machine(own, moment, inertia, start, motor), motor
+
+
 def written(of: Machine, count: int, turns: int = 1, *, gas: bool = True, more: str = "") -> str:
     """The scene of a machine: the gas position by position, or the same force as a load on the slider."""
     text = scene_of(of.crank, count)
@@ -139,4 +191,6 @@ def written(of: Machine, count: int, turns: int = 1, *, gas: bool = True, more: 
         )
     start = f"start = {of.start!r}\n" if of.start else ""
     own = f"M = {of.moment!r}\n" if of.moment else ""
+    if isinstance(of.motor, Catalogue):
+        more += of.motor.written()
     return f"{head}[motion_law]\n{start}{own}J = {of.inertia!r}\nturns = {turns}\n{more}{tail}"

@@ -31,13 +31,14 @@ from __future__ import annotations
 
 from graphic_tmm.chapters.flywheel.task import FLYWHEEL
 from graphic_tmm.chapters.motion_law.task import MOTION_LAW, SECTIONS
+from graphic_tmm.chapters.motor.task import MOTOR
 from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=MOTION_LAW,
     number=15,
     drive="crank",
-    builds_on=(FLYWHEEL,),
+    builds_on=(FLYWHEEL, MOTOR),
     places=(Place(MOTION_LAW, 52),),
     sections=SECTIONS,
 )

@@ -15,6 +15,9 @@ from graphic_tmm.readers.findings import Warned
 NEAR = 1e-6
 """A motion that ends nearer to the end of the base than this share of it goes to the end."""
 
+COARSE = 0.5
+"""Δφ·|dM/dω|/(J·ω) up to which a step by the mean moment tells the speed; from 2 on ω swings to and fro."""
+
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
     law = LAW_PLAN.of(drawn)
@@ -32,6 +35,14 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
             "motion_law: the machine comes to rest at φ = {angle}° after {time} s, and does not reach the "
             "positions behind",
             angle=number(math.degrees(far), language, 4), time=number(drawn.value(law.time), language, 3),
+        )  # fmt: skip
+    coarse = drawn.value(law.coarse) if law.coarse is not None else 0.0
+    if coarse > COARSE:
+        yield _(
+            "motion_law: within an interval the motor's moment changes too much for {count} positions a turn: "
+            "take {due} or more",
+            count=drawn.project.count // law.turns,
+            due=math.ceil(drawn.project.count // law.turns * coarse / COARSE),
         )  # fmt: skip
     yield from assumed(drawn)
 

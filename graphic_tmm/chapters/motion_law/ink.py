@@ -1,60 +1,80 @@
-"""The energy–mass diagram with its true origin in ink: points and their numbers, the curve, the rays."""
+"""Diagrams on two axes of their own in ink: the energy–mass diagram with its rays, the motor, one crossing."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import join, lay_off
-from graphic_tmm.board.record import Step
-from graphic_tmm.chapters.motion_law.plan import MotionLaw
-from graphic_tmm.chapters.motion_law.task import MASS
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.paper.drawing import Drawing, Wanted
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.graph_rules import DOT, OVER, axis, ruled
 from graphic_tmm.paper.mark_rules import dotted, leaving
 from graphic_tmm.paper.rules import stays as usual
-from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
+from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.shapes import flat
 
+NEAR = 2.5
+"""A point nearer than this to one that is named, mm, has no name of its own."""
 
-def draw_rays(on: Subject, law: MotionLaw, names: Sequence[str], axes: tuple[str, str]) -> Drawing:
-    """Return the diagram; ``axes``: what ordinates and base are called."""
-    seen = on.seen((MASS,), range(len(names)))
-    spots = [0j, *(seen.point(law.points.row, k) for k in seen.positions)]
-    spots.append(seen.point(law.points.end, 0))
-    curves = bezier(seen.reading[law.curve])
-    spots += [complex(z) for run in curves for z in flat([complex(z) for z in run])]
-    spots = [spot for spot in spots if finite(spot)]
-    high, low = max(z.imag for z in spots), min(z.imag for z in spots)
-    right = max(z.real for z in spots)
-    traces = figure(seen, _manner(law, (high, low, right)))
+
+class Spot(NamedTuple):
+    """A point that is lettered: its mark, the position at which it is drawn, its name."""
+
+    mark: Mark
+    place: int
+    name: str
+
+
+class Diagram(NamedTuple):
+    """What stands on two axes: the lines of these, curves with their names, points, rays that stay."""
+
+    view: str
+    along: Mark
+    up: Mark
+    curves: Sequence[tuple[Mark, str]]
+    spots: Sequence[Spot]
+    rays: Sequence[Mark] = ()
+
+
+def draw_diagram(on: Subject, of: Diagram, count: int, axes: tuple[str, str]) -> Drawing:
+    """Return a diagram; ``axes``: what ordinates and base are called; ``count``: of the positions."""
+    seen = on.seen((of.view,), range(count))
+    places = [seen.point(spot.mark, spot.place) for spot in of.spots]
+    curves = [
+        [z for run in bezier(seen.reading[mark]) for z in flat([complex(one) for one in run])]
+        for mark, _ in of.curves
+    ]
+    reach = [z for z in [0j, *places, *(z for one in curves for z in one)] if finite(z)]
+    high, low = max(z.imag for z in reach), min(z.imag for z in reach)
+    right = max(z.real for z in reach)
+    marks = {
+        of.along: leaving(*axis(0j, complex(right + OVER, 0))),
+        of.up: leaving(*axis(1j * low, 1j * (high + OVER))),
+    }
+    kept = {*(spot.mark for spot in of.spots), *of.rays}
+
+    def stays(seen: Seen, step: Step) -> bool:
+        return step.it in marks or step.it in kept or (step.op is not lay_off and usual(seen, step))
+
+    traces = figure(seen, Manner({join.name: ruled, lay_off.name: dotted(DOT)}, stays, marks))
     large, small = on.heights.point, on.heights.number
     wanted = [
         Wanted(axes[0], complex(0, high + OVER), large, 1.5, -1 + 0j),
         Wanted(axes[1], complex(right + OVER, 0), large, 1.5, -1j),
     ]
-    places = [(law.points.row, k, name) for k, name in enumerate(names)]
-    for mark, k, name in [*places, (law.points.end, 0, f"{names[0]} ({len(names)})")]:
-        spot = seen.point(mark, k)
-        if finite(spot):
-            toward = spot / abs(spot) if abs(spot) else 1j
-            wanted.append(Wanted(name, spot, small, 0.8, toward, (mark.slot,), k))
+    named: list[complex] = []
+    for spot, place in zip(of.spots, places, strict=True):
+        if finite(place) and all(abs(place - other) > NEAR for other in named):
+            named.append(place)
+            toward = place / abs(place) if abs(place) else 1j
+            wanted.append(
+                Wanted(spot.name, place, small, 0.8, toward, (spot.mark.slot,), spot.place)
+            )
+    for (mark, name), line in zip(of.curves, curves, strict=True):
+        if name and line:
+            at = max(line, key=lambda z: (z.imag, -z.real))
+            wanted.append(Wanted(name, at, small, 1.0, 1j, (mark.slot,)))
     return traces.drawing(on, [*traces.staying], wanted)
-
-
-def _manner(law: MotionLaw, extent: tuple[float, float, float]) -> Manner:
-    """Return how the diagram is inked: what carried its points over is rubbed out, rays stay."""
-    high, low, right = extent
-    own = law.inertia
-    marks = {
-        own.along: leaving(*axis(0j, complex(right + OVER, 0))),
-        own.up: leaving(*axis(1j * low, 1j * (high + OVER))),
-    }
-    kept = {law.points.row, law.points.end, law.rays.row, law.rays.end}
-
-    def stays(seen: Seen, step: Step) -> bool:
-        return step.it in marks or step.it in kept or (step.op is not lay_off and usual(seen, step))
-
-    by_line: dict[str, Rule] = {join.name: ruled}
-    return Manner({**by_line, lay_off.name: dotted(DOT)}, stays, marks)

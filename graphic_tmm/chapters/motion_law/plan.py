@@ -8,9 +8,8 @@ energy–mass diagram then has its true origin, and a ray to the point of a posi
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import NamedTuple
 
-from graphic_tmm.board import graphs
+from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import STANDARD, Chart, integrated_scale
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.graphs import Base, Boundaries
@@ -33,7 +32,8 @@ from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
 from graphic_tmm.chapters.motion_law import operations as op
 from graphic_tmm.chapters.motion_law import words as why
-from graphic_tmm.chapters.motion_law.over_angle import Both, OverAngle, at_end
+from graphic_tmm.chapters.motion_law.by_motor import ByMotor, Inertia
+from graphic_tmm.chapters.motion_law.over_angle import Both, at_end
 from graphic_tmm.chapters.motion_law.task import (
     ASKED,
     ENERGY,
@@ -44,24 +44,16 @@ from graphic_tmm.chapters.motion_law.task import (
     WORK,
     MotionLawTask,
 )
+from graphic_tmm.chapters.motor.operations import inertia_on_crank
+from graphic_tmm.chapters.motor.operations_run import (
+    run_up,
+    run_up_end,
+    steady_speed,
+)
+from graphic_tmm.chapters.motor.plan import DrawnMotor, draw_motor
+from graphic_tmm.chapters.motor.step import DrawnStep
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
-
-
-class Inertia(NamedTuple):
-    """The energy–mass diagram as begun: its axes, the feet of J (Point), J of the first position and T_0 there.
-
-    The machine has that J (``x``, a Length) at the end of the base again. ``start``, ``first``: ω_0, T_0.
-    """
-
-    mu: Mark
-    origin: Mark
-    along: Mark
-    up: Mark
-    feet: Both
-    x: Mark
-    start: Mark
-    first: Mark
 
 
 @dataclass(frozen=True)
@@ -86,6 +78,12 @@ class MotionLaw:
     rest: Mark
     angle: Mark
     time: Mark
+    motor: DrawnMotor | None
+    step: DrawnStep | None
+    run_up: Mark | None
+    delta: Mark | None
+    coarse: Mark | None
+    flywheel: Mark | None
 
 
 LAW_PLAN: Recorded[MotionLaw] = Recorded(MOTION_LAW)
@@ -117,6 +115,8 @@ def draw_law(
     law = _Law(draft, machine, order)
     law.moments(cylinder, forces)
     law.works()
+    motor = order.motor
+    law.motor = draw_motor(draft, motor) if motor is not None else None
     law.inertias()
     law.energies()
     omega = law.rays()
@@ -124,6 +124,7 @@ def draw_law(
     law.accelerations()
     law.times()
     angle, time = law.rests()
+    step = law.step()
     return MotionLaw(
         order,
         law.base,
@@ -138,13 +139,18 @@ def draw_law(
         law.rest,
         angle,
         time,
+        law.motor,
+        step,
+        law.run_up(),
+        law.unevenness(omega),
+        law.coarseness(omega),
+        law.flywheel,
     )
 
 
-class _Law(OverAngle):
+class _Law(ByMotor):
     """The graphs while they are drawn, one after another."""
 
-    inertia: Inertia
     points: Both
     curve: Mark
     ray_lines: Both
@@ -186,7 +192,7 @@ class _Law(OverAngle):
         at = graphs.integrate(draft, source, self.moment_curve, axes, pole, "A")
         graphs.along_rays(draft, axes, at, pole.point, self.moment_points, source)
         self.work = self.read(axes, at, "A")
-        self.work_mu = scaled.mu
+        self.work_axes, self.work_at, self.work_mu = axes, at, scaled.mu
         self.chart(WORK, "A", "J", scaled.mu, *self.work)
 
     # ------------------------------------------------------------ what moves, and its energy
@@ -205,36 +211,49 @@ class _Law(OverAngle):
         feet = draft.draw(lay_off, "j", along, x, why=why.MASS_POINT)
         end = draft.draw(at_zero, at_end("j"), feet, why=why.SAME_PLACE)
         first_x = draft.draw(measure_along, "x_0", origin, end, along)
-        omega = draft.take(Number, "ω_0", self.order.start, "1/s")
-        first = draft.draw(op.first_energy, "T_0", first_x, mu, omega, unit="J")
-        self.inertia = Inertia(mu, origin, along, up, Both(feet, end), first_x, omega, first)
         read = draft.draw(measure_along, "J_r", origin, feet, along)
+        if self.motor is not None and self.order.steady:
+            used = self.by_motor(self.motor, read, mu)
+            omega = draft.draw(steady_speed, "ω_0", *used, unit="1/s", row=self.row)
+        else:
+            omega = draft.take(Number, "ω_0", self.order.start, "1/s")
+        first = draft.draw(op.first_energy, "T_0", first_x, mu, omega, unit="J")
+        self.inertia = Inertia(mu, origin, along, up, Both(feet, end), first_x, read, omega, first)
         self.chart(MASS, "J", "kg·m²", mu, read)
 
     def _reduced(self) -> Mark:
         """Calculate the reduced moment of inertia of links and of what turns with the crank."""
-        draft, machine, own = self.draft, self.machine, self.order.J
-        found: Mark | None = None
-        if any(link.mass or link.inertia for link in machine.mechanism.links) or not own:
+        draft, machine, order = self.draft, self.machine, self.order
+        parts = []
+        turning = order.J or (order.motor is not None and order.motor.J)
+        if any(link.mass or link.inertia for link in machine.mechanism.links) or not turning:
             energies = draw_energies(draft, machine.mechanism, machine.velocities, MOTION_LAW)
             assert machine.velocities.speed is not None
             speed = machine.velocities.speed
-            found = draft.draw(reduced_inertia, "J_{red}", energies.total, speed, unit="kg·m²")
-        if not own:
-            assert found is not None
-            return found
-        turning = draft.take(Number, "J_c", own, "kg·m²")
-        if found is None:
-            return turning
-        return draft.draw(added, "J_Σ", found, turning, unit="kg·m²", why=why.INERTIAS)
+            parts.append(
+                draft.draw(reduced_inertia, "J_{red}", energies.total, speed, unit="kg·m²")
+            )
+        if order.J:
+            parts.append(draft.take(Number, "J_c", order.J, "kg·m²"))
+        if self.motor is not None and order.motor is not None and order.motor.J:
+            rotor = draft.take(Number, "J_m", order.motor.J, "kg·m²")
+            used = rotor, self.motor.ratio
+            parts.append(draft.draw(inertia_on_crank, "J_{m1}", *used, unit="kg·m²"))
+        if self.motor is not None and order.delta is not None:
+            parts.append(self.sought(self.motor, parts, order.delta))
+        whole = parts[0]
+        for more in parts[1:]:
+            whole = draft.draw(
+                added, "J_Σ", whole, more, unit="kg·m²", role=roles.SUM, why=why.INERTIAS
+            )
+        return whole
 
     def energies(self) -> None:
         """Draw the kinetic energy, as far as the machine goes; mark where its motion ends."""
         draft = self.draft
         draft.open(ENERGY)
         mu = draft.scale("μ_T", "J/mm")
-        rows, ends = ((self.inertia.first, work, self.work_mu) for work in self.work)
-        known = self.both(op.energy, "T", rows, ends, unit="J")
+        known = self._known()
         heights = self.both(to_board, "y_T", (known.row, mu), (known.end, mu))
         axes = graphs.draw_axes(draft, ENERGY, self.base, mu)
         laid = self.laid(axes, heights, "t")
@@ -243,9 +262,20 @@ class _Law(OverAngle):
         at = Boundaries(kept, last)
         curve = graphs.through(draft, axes, at, closed=False)
         self.rest = draft.draw(op.comes_to_rest, "z", curve)
-        self.energy_axes = axes
+        self.energy_axes, self.energy_at = axes, at
         self.energy = self.read(axes, at, "T")
         self.chart(ENERGY, "T", "J", mu, *self.energy)
+
+    def _known(self) -> Both:
+        """Calculate the kinetic energy: what the forces have done since the beginning, or step by step."""
+        own = self.inertia
+        if self.motor is None:
+            rows, ends = ((own.first, work, self.work_mu) for work in self.work)
+            return self.both(op.energy, "T", rows, ends, unit="J")
+        used = self.by_motor(self.motor, own.read, own.mu, own.start)
+        row = self.draft.draw(run_up, "T", *used, unit="J", row=self.row)
+        used = self.by_motor(self.motor, own.read, own.mu, row)
+        return Both(row, self.draft.draw(run_up_end, at_end("T"), *used, unit="J", row=self.row))
 
     def rays(self) -> Both:
         """Draw the rays of the energy–mass diagram; return the speeds that they tell."""

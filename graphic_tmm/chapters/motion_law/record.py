@@ -24,7 +24,7 @@ def _needs(scene: Scene) -> dict[str, object]:
 PLAN = Plan(
     needs=_needs,
     record=record,
-    charts=lambda made: made.charts,
+    charts=lambda made: (*made.charts, *(made.motor.charts if made.motor is not None else ())),
     result=lambda made: (made.angle,),
     remedy=FULL_TURN,
 )

@@ -9,6 +9,7 @@ import numpy as np
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
 from graphic_tmm.chapters.motion_law.task import MOTION_LAW
+from graphic_tmm.chapters.motor.task import MOTOR, RUN, STEP
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, ordinates
@@ -26,12 +27,18 @@ def law_columns(drawn: Drawn) -> Iterator[Column]:
 def law_marks(drawn: Drawn) -> dict[str, Mark]:
     """Return the marks of the results."""
     law = LAW_PLAN.on(drawn)
-    return {
+    marks = {
+        "motion_start": law.inertia.start,
         "motion_energy": law.inertia.first,
         "motion_speed": law.omega.end,
         "motion_angle": law.angle,
         "motion_time": law.time,
+        "motion_turns": law.run_up,
+        "motion_step": law.step.omega if law.step is not None else None,
+        "motion_delta": law.delta,
+        "motion_flywheel": law.flywheel,
     }
+    return {name: mark for name, mark in marks.items() if mark is not None}
 
 
 def law_results(drawn: Drawn) -> Results:
@@ -44,7 +51,9 @@ TABLE = Tabled(columns=law_columns, results=law_results, marks=law_marks)
 
 
 def _views(project: Project) -> dict[str, list[str]]:
-    return {MOTION_LAW: [chart.view for chart in LAW_PLAN.on(project).charts]}
+    law = LAW_PLAN.on(project)
+    motor = [MOTOR, RUN, STEP] if law.motor is not None else []
+    return {MOTION_LAW: [*(chart.view for chart in law.charts), *motor]}
 
 
 PROTOCOL = Protocols(views=_views)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.chapters.motion_law.ink import draw_rays
+from graphic_tmm.chapters.motion_law.ink import Diagram, Spot, draw_diagram
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN, MotionLaw
 from graphic_tmm.chapters.motion_law.table import law_columns, law_results
 from graphic_tmm.chapters.motion_law.task import (
@@ -17,6 +19,8 @@ from graphic_tmm.chapters.motion_law.task import (
     TIME,
     WORK,
 )
+from graphic_tmm.chapters.motor.plan import SPEEDS
+from graphic_tmm.chapters.motor.task import MOTOR, STEP
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
@@ -50,7 +54,7 @@ def law_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     views = indicator_views(drawn, lettered, MOTION_LAW)
     for name, own in STACKS.items():
         views.append(stacked(f"motion-{name}", [_graph(drawn, law, one, lettered) for one in own]))
-    views.insert(-2, _diagram(drawn, law, lettered))
+    views[-2:-2] = _diagrams(drawn, law, lettered)
     rows = tuple(law_columns(drawn))
     views.append(result_table(MOTION_LAW, rows, drawn.names, language, heights=high))
     found = [
@@ -65,7 +69,8 @@ def _graph(drawn: Drawn, law: MotionLaw, view: str, lettered: bool) -> Drawing:
     language, project = drawn.scene.language, drawn.project
     chart = next(one for one in law.charts if one.view == view)
     phi = law.base.mu
-    on = subject(drawn, captions(language)[view], MOTION_LAW)
+    loads = view == MOMENT and law.motor is not None
+    on = subject(drawn, captions(language)["motion-loads" if loads else view], MOTION_LAW)
     letters = Names(
         [escape(name) for name in project.names],
         on_axis(
@@ -80,18 +85,38 @@ def _graph(drawn: Drawn, law: MotionLaw, view: str, lettered: bool) -> Drawing:
     return with_caption(graph, on, lettered, f"{mu_text(drawn.scales[view], language)}, {along}")
 
 
-def _diagram(drawn: Drawn, law: MotionLaw, lettered: bool) -> Drawing:
-    """Return the energy–mass diagram with its rays."""
-    language = drawn.scene.language
-    axes = (
-        on_axis("T", unit("J", language)),
-        on_axis(symbols.symbol("J_r", language), unit("kg·m²", language)),
-    )
-    on = subject(drawn, captions(language)[MASS], MOTION_LAW)
-    names = [escape(name) for name in drawn.names[: drawn.project.count]]
-    view = draw_rays(on, law, names, axes)
-    scales = [mu_text(drawn.scales[key], language) for key in (ENERGY, MASS)]
-    return with_caption(view, on, lettered, ", ".join(scales))
+def _diagrams(drawn: Drawn, law: MotionLaw, lettered: bool) -> Iterator[Drawing]:
+    """Yield the energy–mass diagram with its rays; with a motor its characteristic and one crossing."""
+    language, scales = drawn.scene.language, drawn.scales
+    count = drawn.project.count
+    names = [escape(name) for name in drawn.names[:count]]
+    own = law.inertia
+    spots = [Spot(law.points.row, k, name) for k, name in enumerate(names)]
+    spots.append(Spot(law.points.end, 0, f"{names[0]} ({count})"))
+    energy = on_axis("T", unit("J", language))
+    red = on_axis(symbols.symbol("J_r", language), unit("kg·m²", language))
+    omega = on_axis("ω", unit("1/s", language))
+    mu_omega = mu_text(scales[SPEEDS], language) if law.motor is not None else ""
+    found = [
+        (
+            Diagram(MASS, own.along, own.up, [(law.curve, "")], spots, law.rays),
+            (energy, red),
+            [mu_text(scales[key], language) for key in (ENERGY, MASS)],
+        )
+    ]
+    if law.motor is not None:
+        cross, moment = law.motor.axes, on_axis("M", unit("N·m", language))
+        at = [Spot(law.step.moment, 0, "k")] if law.step is not None else []
+        one = Diagram(MOTOR, cross.along, cross.up, [(law.motor.curve, "")], at)
+        found.append((one, (moment, omega), [mu_text(scales[MOTOR], language), mu_omega]))
+    if law.step is not None:
+        step = law.step
+        curves = [(step.parabola, ""), (step.energy, "")]
+        one = Diagram(STEP, step.axes.along, step.axes.up, curves, [Spot(step.point, 0, "k+1")])
+        found.append((one, (energy, omega), [mu_text(scales[ENERGY], language), mu_omega]))
+    for one, axes, texts in found:
+        on = subject(drawn, captions(language)[one.view], MOTION_LAW)
+        yield with_caption(draw_diagram(on, one, count, axes), on, lettered, ", ".join(texts))
 
 
 SHOWN = Views(draw={MOTION_LAW: law_views})

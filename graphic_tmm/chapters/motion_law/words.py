@@ -16,10 +16,16 @@ CAPTIONS: dict[str, str] = {
     "motion-acceleration": said("Angular acceleration of the crank"),
     "motion-slowness": said("Inverse of the angular velocity"),
     "motion-time": said("Time"),
+    "motion-loads": said("Reduced moment of the loads"),
     "table motion_law": said("Law of motion, by positions"),
     "motion_angle": said("φ at the end of the motion"),
     "motion_time": said("t at the end of the motion"),
     "motion_energy": said("T_0, first energy"),
+    "motion_start": said("ω_0, first speed"),
+    "motion_turns": said("turns of the run-up, to 0.1 % a turn"),
+    "motion_delta": said("δ of the steady cycle"),
+    "motion_flywheel": said("J_{F}"),
+    "motion_step": said("ω by the crossing drawn"),
     "motion_speed": said("ω at the end of the base"),
 }
 

@@ -1,0 +1,120 @@
+"""What a motor adds to the law of motion: runs by its characteristic, one crossing, δ and the J for it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board import roles
+from graphic_tmm.board.graphs import Axes, Boundaries
+from graphic_tmm.board.operations.energetics import added
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.motion_law import words as why
+from graphic_tmm.chapters.motion_law.over_angle import Both, OverAngle
+from graphic_tmm.chapters.motion_law.task import SPEED
+from graphic_tmm.chapters.motor import operations_run as op
+from graphic_tmm.chapters.motor.plan import DrawnMotor
+from graphic_tmm.chapters.motor.step import DrawnStep, Run, draw_step
+from graphic_tmm.chapters.motor.task import RUN
+
+
+class Inertia(NamedTuple):
+    """The energy–mass diagram as begun: its axes, the feet of J (Point), J of the first position and T_0 there.
+
+    The machine has that J (``x``, a Length) at the end again. ``read``: J_r (Length). ``start``, ``first``:
+    ω_0, T_0.
+    """
+
+    mu: Mark
+    origin: Mark
+    along: Mark
+    up: Mark
+    feet: Both
+    x: Mark
+    read: Mark
+    start: Mark
+    first: Mark
+
+
+class ByMotor(OverAngle):
+    """The graphs of a machine that a motor may drive."""
+
+    inertia: Inertia
+    motor: DrawnMotor | None
+    flywheel: Mark | None = None
+    work: Both
+    work_mu: Mark
+    work_at: Boundaries
+    work_axes: Axes
+    energy_at: Boundaries
+    energy_axes: Axes
+
+    def by_motor(
+        self, motor: DrawnMotor, inertia: Mark, mu_J: Mark, *start: Mark
+    ) -> tuple[Mark, ...]:
+        """Return what a run by the motor takes, in order."""
+        works = (*self.work, inertia, self.base.length)
+        return (
+            motor.curve,
+            *start,
+            *works,
+            motor.mu_M,
+            motor.mu_omega,
+            self.work_mu,
+            mu_J,
+            self.base.mu,
+        )
+
+    def sought(self, motor: DrawnMotor, parts: list[Mark], delta: float) -> Mark:
+        """Seek the moment of inertia that keeps δ, beside what is there."""
+        draft, whole = self.draft, parts[0]
+        for more in parts[1:]:
+            whole = draft.draw(
+                added, "J_0", whole, more, unit="kg·m²", role=roles.SUM, why=why.INERTIAS
+            )
+        due = draft.take(Number, "[δ]", delta)
+        used = (motor.curve, due, *self.work, whole, self.base.length, motor.mu_M, motor.mu_omega)
+        scales = self.work_mu, self.base.mu
+        self.flywheel = draft.draw(
+            op.inertia_for, "J_F", *used, *scales, unit="kg·m²", row=self.row
+        )
+        parts[:] = [whole]
+        return self.flywheel
+
+    def step(self) -> DrawnStep | None:
+        """Draw the crossing of one interval, where a motor drives."""
+        order = self.order.motor
+        if self.motor is None or order is None:
+            return None
+        axes = (self.energy_axes, self.speed_axes, self.work_axes)
+        feet = Boundaries(*self.inertia.feet)
+        run = Run(self.energy_at, self.speed, self.work_at, feet, axes, self.inertia.mu)
+        at_rest = not (order.step or self.order.start or self.order.steady)
+        return draw_step(self.draft, self.base, self.motor, run, order.step, at_rest=at_rest)
+
+    def run_up(self) -> Mark | None:
+        """Count the turns of the run-up, where a motor drives."""
+        own = self.inertia
+        if self.motor is None or self.order.steady:
+            return None
+        self.draft.open(RUN)
+        used = self.by_motor(self.motor, own.read, own.mu, own.start)
+        rows = self.draft.draw(op.turns_to_run_up, "n", *used, row=self.row)
+        turns = self.draft.take(Number, "n_t", float(self.machine.turns))
+        return self.draft.draw(op.turns_of_rows, "n_r", rows, turns)
+
+    def unevenness(self, omega: Both) -> Mark | None:
+        """Calculate δ of a steady cycle."""
+        if not self.order.steady:
+            return None
+        self.draft.open(SPEED)
+        return self.draft.draw(op.unevenness, "δ", *omega, row=self.row)
+
+    def coarseness(self, omega: Both) -> Mark | None:
+        """Calculate how much the motor's moment changes within an interval."""
+        if self.motor is None:
+            return None
+        motor, own = self.motor, self.inertia
+        self.draft.open(RUN)
+        used = (motor.curve, omega.row, own.read, self.base.length, motor.mu_M, motor.mu_omega)
+        return self.draft.draw(op.coarseness, "q", *used, own.mu, self.base.mu, row=self.row)
