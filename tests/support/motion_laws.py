@@ -147,7 +147,9 @@ class Catalogue(NamedTuple):
             return self.ratio * nominal * slip / own
         # 2λ/(s/k + k/s) = 1 at the nominal slip: k² − 2λs·k + s² = 0, the greater root
         critical = max(np.roots([1.0, -2.0 * self.overload * own, own**2]).real)
-        return float(2.0 * self.ratio * self.overload * nominal * slip * critical / (slip**2 + critical**2))
+        return float(
+            2.0 * self.ratio * self.overload * nominal * slip * critical / (slip**2 + critical**2)
+        )
 
     def written(self, step: int = 1) -> str:
         """Its section of a scene."""

@@ -42,6 +42,8 @@ STACKS = {
     "times": (SLOWNESS, TIME),
 }
 """Which graphs stand one below the other."""
+OF_LOADS = {MOMENT: "motion-loads", WORK: "motion-loads-work"}
+"""What graphs are called where a motor drives besides."""
 
 
 def law_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
@@ -69,8 +71,8 @@ def _graph(drawn: Drawn, law: MotionLaw, view: str, lettered: bool) -> Drawing:
     language, project = drawn.scene.language, drawn.project
     chart = next(one for one in law.charts if one.view == view)
     phi = law.base.mu
-    loads = view == MOMENT and law.motor is not None
-    on = subject(drawn, captions(language)["motion-loads" if loads else view], MOTION_LAW)
+    title = OF_LOADS.get(view, view) if law.motor is not None else view
+    on = subject(drawn, captions(language)[title], MOTION_LAW)
     letters = Names(
         [escape(name) for name in project.names],
         on_axis(
@@ -111,7 +113,7 @@ def _diagrams(drawn: Drawn, law: MotionLaw, lettered: bool) -> Iterator[Drawing]
         found.append((one, (moment, omega), [mu_text(scales[MOTOR], language), mu_omega]))
     if law.step is not None:
         step = law.step
-        curves = [(step.parabola, ""), (step.energy, "")]
+        curves = [(step.parabola, "Jω²/2"), (step.energy, "T + ΔA + A_{m}")]
         one = Diagram(STEP, step.axes.along, step.axes.up, curves, [Spot(step.point, 0, "k+1")])
         found.append((one, (energy, omega), [mu_text(scales[ENERGY], language), mu_omega]))
     for one, axes, texts in found:

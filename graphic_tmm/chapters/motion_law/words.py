@@ -17,6 +17,7 @@ CAPTIONS: dict[str, str] = {
     "motion-slowness": said("Inverse of the angular velocity"),
     "motion-time": said("Time"),
     "motion-loads": said("Reduced moment of the loads"),
+    "motion-loads-work": said("Work of the loads"),
     "table motion_law": said("Law of motion, by positions"),
     "motion_angle": said("φ at the end of the motion"),
     "motion_time": said("t at the end of the motion"),

@@ -22,6 +22,7 @@ SHARES = {
 
 WORDS = Named(
     captions={
+        "chapter motor": said("Motor"),
         "motor": said("Characteristic of the motor on the crank"),
         "motion-run": said("Run-up by the motor"),
         "motion-step": said("Crossing of one interval"),

@@ -1,0 +1,185 @@
+"""Machines that a motor drives, against the equation of motion in time: run-up, steady cycle, δ, stalling."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from support.boards import drawn_of
+from support.flywheels import crank
+from support.motion_laws import Catalogue, Machine, driven, motion, written
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.errors import SceneError
+from graphic_tmm.readers.findings import warnings
+from graphic_tmm.scene.read import read
+
+TURN = 2.0 * np.pi
+
+
+def drawn(
+    folder: Path, of: Machine, count: int, turns: int = 1, *, more: str = "", step: int = 1
+) -> Drawn:
+    file = folder / "scene.toml"
+    text = written(of, count, turns, gas=turns == 1, more=more)
+    file.write_text(text.replace("step = 1\n", f"step = {step}\n"), encoding="utf-8")
+    return drawn_of(read(file), exact=True)
+
+
+def speeds(of: Drawn) -> np.ndarray:
+    """ω at the positions and at the end of the base."""
+    law = LAW_PLAN.on(of)
+    return np.append(
+        of.reading[law.omega.row][0, : of.project.count], of.reading[law.omega.end][0, 0]
+    )
+
+
+def angles(count: int, turns: int = 1) -> np.ndarray:
+    return np.arange(count * turns + 1) * TURN / count
+
+
+def value(of: Drawn, mark: Mark | None) -> float:
+    assert mark is not None
+    return of.value(mark)
+
+
+def off(found: np.ndarray, due: np.ndarray) -> float:
+    """The greatest error as a share of the speed, of a twentieth of the greatest where it is less."""
+    assert (np.isfinite(found) == np.isfinite(due)).all(), "the same positions are reached"
+    return float(np.nanmax(np.abs(found - due) / np.maximum(due, 0.05 * np.nanmax(due))))
+
+
+@pytest.mark.slow
+def test_a_run_up_is_that_of_the_equation_of_motion(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    """Kloss's and straight characteristics, from rest and from a speed: below 0.1 % at 360 positions."""
+    for seed in range(many(200, 3)):
+        of, _ = driven(seed)
+        assert off(speeds(drawn(tmp_path, of, 360)), motion(of, angles(360)).omega) < 1e-3
+
+
+def test_the_error_of_a_step_goes_with_its_square(
+    tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    """From a speed on, four times as many positions err by a sixteenth; half of that is left to the curves."""
+    for seed in range(0, many(200, 8), 2):
+        of, _ = driven(seed)
+        due = motion(of, angles(96)).omega
+        few, more = (off(speeds(drawn(tmp_path, of, n)), due[:: 96 // n]) for n in (24, 96))
+        assert more < few / 8.0 + 1e-6
+        assert few < 0.01
+
+
+def test_the_crossing_that_is_drawn_is_that_of_the_run(tmp_path: Path) -> None:
+    for seed, step in ((1, 0), (1, 5), (2, 11), (0, 3)):
+        made = drawn(tmp_path, driven(seed)[0], 12, step=step)
+        law = LAW_PLAN.on(made)
+        assert law.step is not None
+        assert made.value(law.step.omega) == pytest.approx(speeds(made)[step + 1], rel=1e-7)
+
+
+def test_the_characteristic_goes_through_its_nominal_point(tmp_path: Path) -> None:
+    """The catalogue's point, the greatest moment, none at the synchronous speed; by the number on the crank."""
+    of, motor = driven(0)
+    made = drawn(tmp_path, of, 12)
+    own = LAW_PLAN.on(made).motor
+    assert own is not None
+    curve = made.reading[own.curve]
+    omega, moment = (part * made.value(mu) for part, mu in
+                     ((curve.knots[0].real, own.mu_omega), (curve.knots[0].imag, own.mu_M)))  # fmt: skip
+    assert moment == pytest.approx([motor(one) for one in omega], rel=1e-9, abs=1e-9)
+    nominal = motor.power / motor.nominal * motor.ratio
+    assert np.interp(motor.nominal / motor.ratio, omega, moment) == pytest.approx(nominal, rel=2e-3)
+    assert np.max(moment) == pytest.approx(motor.overload * nominal, rel=2e-3)
+
+
+STEADY = "steady = true\n"
+
+
+@pytest.mark.parametrize("seed", [0, 5])
+def test_a_steady_cycle_is_what_turn_after_turn_comes_to(tmp_path: Path, seed: int) -> None:
+    of, motor = driven(seed)
+    of = of._replace(start=0.0)
+    made = drawn(tmp_path, of, 120, more=STEADY)
+    law, found = LAW_PLAN.on(made), speeds(made)
+    assert found[0] == pytest.approx(found[-1], rel=1e-6)
+    many = motion(
+        of._replace(start=0.9 * motor.synchronous / motor.ratio), np.arange(121 * 12) * TURN / 120
+    )
+    due = many.omega[-122:-1]
+    assert due[0] == pytest.approx(due[-1], rel=2e-3)
+    at = (np.arange(121 * 12)[-122:-1] % 120).argmin()
+    due = np.roll(due[:-1], -at)
+    assert found[:-1] == pytest.approx(due, rel=2e-3)
+    delta = 2.0 * (due.max() - due.min()) / (due.max() + due.min())
+    assert value(made, law.delta) == pytest.approx(delta, rel=5e-3, abs=2e-4)
+
+
+def test_the_flywheel_keeps_the_given_irregularity(tmp_path: Path) -> None:
+    of = driven(0)[0]._replace(start=0.0)
+    alone = value(made := drawn(tmp_path, of, 24, more=STEADY), LAW_PLAN.on(made).delta)
+    made = drawn(tmp_path, of, 24, more=f"{STEADY}delta = {alone / 3.0!r}\n")
+    law = LAW_PLAN.on(made)
+    assert value(made, law.delta) == pytest.approx(alone / 3.0, rel=1e-5)
+    heavier = of._replace(inertia=of.inertia + value(made, law.flywheel))
+    again = drawn(tmp_path, heavier, 24, more=STEADY)
+    assert value(again, LAW_PLAN.on(again).delta) == pytest.approx(alone / 3.0, rel=1e-5)
+
+
+def weak() -> Machine:
+    """A motor that its load stops within the turn."""
+    light = crank(3)._replace(masses=(1e-9, 1e-9), inertia=1e-12, pressure=lambda phi: 0.0 * phi)
+    motor = Catalogue(100.0, 9.5, 10.0, 2.0, 1.0, straight=False)
+    return Machine(light, -60.0, 2.0, 9.0, motor)
+
+
+def test_a_motor_that_is_too_weak_is_stopped_by_its_load(tmp_path: Path) -> None:
+    of = weak()
+    made = drawn(tmp_path, of, 48)
+    due, law, found = motion(of, angles(48)), LAW_PLAN.on(made), speeds(made)
+    # the last position that is reached is nearly at rest: a tenth of a joule is a fiftieth of its speed
+    assert off(found, due.omega) < 0.03
+    assert np.isnan(found[-1])
+    assert made.value(law.angle) == pytest.approx(due.rest[0], rel=0.01)
+    assert made.value(law.time) == pytest.approx(due.rest[1], rel=0.02)
+    assert any("comes to rest at φ" in one for one in warnings(made, "en"))
+
+
+def test_too_few_positions_for_a_stiff_motor_are_told(tmp_path: Path) -> None:
+    of, motor = driven(1)
+    stiff = replace_motor(of, motor, 0.02)
+    says = [one for one in warnings(drawn(tmp_path, stiff, 12), "en") if "positions a turn" in one]
+    assert len(says) == 1
+    assert not [one for one in warnings(drawn(tmp_path, of, 24), "en") if "positions a turn" in one]
+
+
+def replace_motor(of: Machine, motor: Catalogue, share: float) -> Machine:
+    """The same with so much of its inertia, and a motor as strong as before."""
+    return of._replace(inertia=share * of.inertia, motor=motor)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "says"),
+    [
+        ("synchronous", "no_load = 3.0\nsynchronous", "no straight characteristic"),
+        ("synchronous = ", "#", "nothing says what motor it is"),
+        ("power = ", "#", "motor.power: it is missing"),
+        ("nominal = ", "nominal = 1e3 #", "under load a motor turns more slowly"),
+        ("step = 1", "step = 12", "there are 12 intervals in a turn"),
+        ("turns = 1", "turns = 1\ndelta = 0.05", "write steady = true"),
+        ("turns = 1", "turns = 1\nsteady = true\nstart = 2.0", "begins with a speed of its own"),
+    ],
+)
+def test_what_is_no_motor_is_refused(tmp_path: Path, old: str, new: str, says: str) -> None:
+    file = tmp_path / "scene.toml"
+    text = written(driven(1)[0], 12)
+    assert old in text
+    file.write_text(text.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(SceneError) as caught:
+        read(file)
+    assert says in str(caught.value)
