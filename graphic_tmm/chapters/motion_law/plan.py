@@ -50,7 +50,8 @@ from graphic_tmm.chapters.motor.operations_run import (
     run_up_end,
     steady_speed,
 )
-from graphic_tmm.chapters.motor.plan import DrawnMotor, draw_motor
+from graphic_tmm.chapters.motor.plan import DrawnMotor
+from graphic_tmm.chapters.motor.record import MOTOR_PLAN
 from graphic_tmm.chapters.motor.step import DrawnStep
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
@@ -95,7 +96,8 @@ def record(bench: Bench) -> MotionLaw | None:
     if order is None:
         return None
     cylinder = INDICATOR_PLAN.of(bench) if order.indicator is not None else None
-    return draw_law(bench.draft, machine_of(bench), order, cylinder, FORCES_PLAN.of(bench))
+    others = FORCES_PLAN.of(bench), MOTOR_PLAN.of(bench)
+    return draw_law(bench.draft, machine_of(bench), order, cylinder, *others)
 
 
 def draw_law(
@@ -104,6 +106,7 @@ def draw_law(
     order: MotionLawTask,
     cylinder: Cylinder | None,
     forces: Forces | None,
+    motor: DrawnMotor | None,
 ) -> MotionLaw:
     """Draw everything from the reduced moment to the time.
 
@@ -115,8 +118,7 @@ def draw_law(
     law = _Law(draft, machine, order)
     law.moments(cylinder, forces)
     law.works()
-    motor = order.motor
-    law.motor = draw_motor(draft, motor) if motor is not None else None
+    law.motor = motor
     law.inertias()
     law.energies()
     omega = law.rays()

@@ -7,6 +7,7 @@ from graphic_tmm.chapters.forces.task import ASKED as FORCES_ASKED
 from graphic_tmm.chapters.kinematics.task import FULL_TURN, TURNS, VELOCITIES
 from graphic_tmm.chapters.motion_law.plan import record
 from graphic_tmm.chapters.motion_law.task import ASKED, MOTION_LAW
+from graphic_tmm.chapters.motor.task import MOTOR
 from graphic_tmm.project import Plan
 from graphic_tmm.scene.records import Scene
 
@@ -18,13 +19,15 @@ def _needs(scene: Scene) -> dict[str, object]:
     needs: dict[str, object] = {VELOCITIES: True}
     if order.indicator is not None or FORCES_ASKED.of(scene) is not None:
         needs = needs_of(order.indicator, scene, MOTION_LAW)
+    if order.motor is not None:
+        needs[MOTOR] = order.motor
     return {**needs, TURNS: max(order.turns, int(str(needs.get(TURNS, 1))))}
 
 
 PLAN = Plan(
     needs=_needs,
     record=record,
-    charts=lambda made: (*made.charts, *(made.motor.charts if made.motor is not None else ())),
+    charts=lambda made: made.charts,
     result=lambda made: (made.angle,),
     remedy=FULL_TURN,
 )

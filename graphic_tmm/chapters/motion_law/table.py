@@ -9,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
 from graphic_tmm.chapters.motion_law.task import MOTION_LAW
-from graphic_tmm.chapters.motor.task import MOTOR, RUN, STEP
+from graphic_tmm.chapters.motor.task import RUN, STEP
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, ordinates
@@ -52,7 +52,7 @@ TABLE = Tabled(columns=law_columns, results=law_results, marks=law_marks)
 
 def _views(project: Project) -> dict[str, list[str]]:
     law = LAW_PLAN.on(project)
-    motor = [MOTOR, RUN, STEP] if law.motor is not None else []
+    motor = [RUN, STEP] if law.motor is not None else []
     return {MOTION_LAW: [*(chart.view for chart in law.charts), *motor]}
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.grammar import CURVE, FREE, operation
 from graphic_tmm.board.values import Curve, Length, Number, Point, Reals
-from graphic_tmm.chapters.motor.characteristic import Motor, crossed, single
+from graphic_tmm.chapters.motor.operations_curve import Motor, crossed, single
 from graphic_tmm.language.said import said
 
 KNOTS = 241

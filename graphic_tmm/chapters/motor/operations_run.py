@@ -17,8 +17,8 @@ from graphic_tmm.board.formula import formula
 from graphic_tmm.board.grammar import FREE, WHOLE_ROW, operation
 from graphic_tmm.board.operations.graphs import alike
 from graphic_tmm.board.values import Curve, Length, Number, Reals
-from graphic_tmm.chapters.motor.characteristic import ROUNDS, Motor, crossed, motor_of
 from graphic_tmm.chapters.motor.operations import FROM_REST, HALF
+from graphic_tmm.chapters.motor.operations_curve import ROUNDS, Motor, crossed, motor_of
 from graphic_tmm.language.said import said
 
 NOT_NEEDED = "no flywheel is needed, or none makes the cycle so even"

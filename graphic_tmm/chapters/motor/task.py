@@ -18,7 +18,7 @@ MOTOR, RUN, STEP = "motor", "motion-run", "motion-step"
 """The section and the view of its characteristic; the views of a run-up and of one crossing."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, order=True)  # of several wishes for it the greatest counts
 class MotorTask:
     """A motor (its own speeds and moments): asynchronous by its catalogue, or with a straight characteristic.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from graphic_tmm.chapters.motor.task import MOTOR
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -27,5 +28,6 @@ WORDS = Named(
         "motion-run": said("Run-up by the motor"),
         "motion-step": said("Crossing of one interval"),
     },
+    plans=(MOTOR,),
     sources=("artobolevsky",),
 )
