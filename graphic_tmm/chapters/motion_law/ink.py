@@ -10,6 +10,7 @@ from graphic_tmm.board.operations.instruments import join, lay_off
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.paper.drawing import Drawing, Wanted
 from graphic_tmm.paper.figure import Manner, figure
+from graphic_tmm.paper.graph import names_beside
 from graphic_tmm.paper.graph_rules import DOT, OVER, axis, ruled
 from graphic_tmm.paper.mark_rules import dotted, leaving
 from graphic_tmm.paper.rules import stays as usual
@@ -73,8 +74,10 @@ def draw_diagram(on: Subject, of: Diagram, count: int, axes: tuple[str, str]) ->
             wanted.append(
                 Wanted(spot.name, place, small, 0.8, toward, (spot.mark.slot,), spot.place)
             )
-    for (mark, name), line in zip(of.curves, curves, strict=True):
-        if name and line:
-            at = max(line, key=lambda z: (z.imag, -z.real))
-            wanted.append(Wanted(name, at, small, 1.0, 1j, (mark.slot,)))
+    lines = {
+        mark: (tuple(line),)
+        for (mark, name), line in zip(of.curves, curves, strict=True)
+        if name and line
+    }
+    wanted += names_beside(lines, dict(of.curves), small)
     return traces.drawing(on, [*traces.staying], wanted)
