@@ -8,6 +8,7 @@ from typing import NamedTuple
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.operations.instruments import join, lay_off
 from graphic_tmm.board.record import Mark, Step
+from graphic_tmm.board.values import Curve
 from graphic_tmm.paper.drawing import Drawing, Wanted
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.graph import names_beside
@@ -55,10 +56,12 @@ def draw_diagram(on: Subject, of: Diagram, count: int, axes: tuple[str, str]) ->
         of.along: leaving(*axis(0j, complex(right + OVER, 0))),
         of.up: leaving(*axis(1j * low, 1j * (high + OVER))),
     }
-    kept = {*(spot.mark for spot in of.spots), *of.rays}
+    kept = {*marks, *(mark for mark, _ in of.curves), *(spot.mark for spot in of.spots), *of.rays}
 
     def stays(seen: Seen, step: Step) -> bool:
-        return step.it in marks or step.it in kept or (step.op is not lay_off and usual(seen, step))
+        if step.op is lay_off or step.it.kind is Curve:
+            return step.it in kept
+        return step.it in kept or usual(seen, step)
 
     traces = figure(seen, Manner({join.name: ruled, lay_off.name: dotted(DOT)}, stays, marks))
     large, small = on.heights.point, on.heights.number

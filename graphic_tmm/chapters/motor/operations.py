@@ -114,6 +114,41 @@ def straight_curve(starting: Number, idle: Number, mu_M: Number, mu_omega: Numbe
     return _through(omega, moment, np.broadcast_to(-starting / idle, omega.shape), mu_M, mu_omega)
 
 
+@operation(
+    symbol=CURVE,
+    across=True,
+    why=said("A table tells the moment at some speeds; below the first it is level."),
+)
+def level_curve(
+    moment: Number, last: Number, ratio: Number, mu_M: Number, mu_omega: Number
+) -> Curve:
+    """Up to {last}, by {ratio} times less on the crank, draw {it} level, as high as {moment}."""
+    moment, last, ratio = single(moment, last, ratio)
+    omega = last / ratio * np.arange(KNOTS) / (KNOTS - 1)
+    return _through(omega, moment * ratio + 0.0 * omega, 0.0 * omega, mu_M, mu_omega)
+
+
+@operation(
+    symbol=CURVE,
+    across=True,
+    why=said("Between two speeds of the table the moment changes evenly."),
+)
+def on_to(
+    motor: Curve, omega: Number, moment: Number, after: Number, then: Number, ratio: Number,
+    mu_M: Number, mu_omega: Number,
+) -> Curve:  # fmt: skip
+    """From {omega}, {moment} on draw {motor} straight to {after}, {then}, by {ratio} on the crank: {it}."""
+    values = single(omega, moment, after, then, ratio, mu_M, mu_omega)
+    omega, moment, after, then, ratio, mu_M, mu_omega = values
+    x, step = motor.knots.real, motor.tangents.real[:, :1]
+    slope = (then - moment) * ratio / mu_M / ((after - omega) / ratio / mu_omega)
+    begin = omega / ratio / mu_omega
+    behind = x >= begin * (1.0 - 1e-12)
+    y = np.where(behind, moment * ratio / mu_M + slope * (x - begin), motor.knots.imag)
+    rise = np.where(behind, slope * step, motor.tangents.imag)
+    return Curve(x + 1j * y, step + 1j * rise, False)
+
+
 # ------------------------------------------------------------ one step
 
 

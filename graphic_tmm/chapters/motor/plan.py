@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import NamedTuple
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.charts import Chart
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import to_board
@@ -59,6 +62,8 @@ def draw_motor(draft: Draft, order: MotorTask) -> DrawnMotor:
     mu_omega = draft.ask(Number, "μ_ω", "(1/s)/mm")
     draft.lay_out()
     axes = cross(draft)
+    if order.points is not None:
+        return _by_table(draft, order.points, axes, (ratio, one, mu_M, mu_omega))
     if order.synchronous is not None:
         assert nominal is not None
         field = draft.take(Number, "ω_s", order.synchronous, "1/s")
@@ -79,9 +84,39 @@ def draw_motor(draft: Draft, order: MotorTask) -> DrawnMotor:
         high = draft.draw(op.moment_on_crank, "M_{p1}", starts, one, ratio, unit="N·m")
         idle = draft.draw(op.speed_of_crank, "ω_{x1}", free, ratio, unit="1/s")
         curve = draft.draw(op.straight_curve, "(M)", high, idle, mu_M, mu_omega)
+    charts = _charts(draft, high, idle, mu_M, mu_omega)
+    return DrawnMotor(axes, curve, mu_M, mu_omega, ratio, charts)
+
+
+def _charts(draft: Draft, high: Mark, idle: Mark, mu_M: Mark, mu_omega: Mark) -> tuple[Chart, ...]:
+    """Return what chooses both scales: the greatest moment, the speed without load."""
     heights = draft.draw(to_board, "y_k", high, mu_M), draft.draw(to_board, "x_s", idle, mu_omega)
-    charts = (
+    return (
         Chart(MOTOR, "M", "N·m", mu_M, (heights[0],), True, None, None),
         Chart(SPEEDS, "ω", "1/s", mu_omega, (heights[1],), True, None, ROOM),
     )
+
+
+def _by_table(
+    draft: Draft,
+    points: Sequence[tuple[float, float]],
+    axes: Cross,
+    scales: tuple[Mark, Mark, Mark, Mark],
+) -> DrawnMotor:
+    """Draw a characteristic straight between the points of a table."""
+    ratio, one, mu_M, mu_omega = scales
+    marks = [
+        (draft.take(Number, f"ω_{k}", omega, "1/s"), draft.take(Number, f"M_{k}", moment, "N·m"))
+        for k, (omega, moment) in enumerate(points, 1)
+    ]
+    last = marks[-1][0]
+    curve = draft.draw(op.level_curve, "(M_1)", marks[0][1], last, ratio, mu_M, mu_omega)
+    for k, (first, then) in enumerate(pairwise(marks), 2):
+        curve = draft.draw(
+            op.on_to, f"(M_{k})", curve, *first, *then, ratio, mu_M, mu_omega, role=roles.SUM
+        )
+    largest = max(range(len(points)), key=lambda k: abs(points[k][1]))
+    high = draft.draw(op.moment_on_crank, "M_{k1}", marks[largest][1], one, ratio, unit="N·m")
+    idle = draft.draw(op.speed_of_crank, "ω_{x1}", last, ratio, unit="1/s")
+    charts = _charts(draft, high, idle, mu_M, mu_omega)
     return DrawnMotor(axes, curve, mu_M, mu_omega, ratio, charts)

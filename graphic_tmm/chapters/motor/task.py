@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from graphic_tmm.board.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import said
+from graphic_tmm.scene import quantities
 from graphic_tmm.scene import values as v
-from graphic_tmm.scene.declare import Flaw, Said, Section, key
+from graphic_tmm.scene.declare import Flaw, Kind, Names, Said, Section, key
+from graphic_tmm.scene.misfits import fault_in_list, stands
 
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
@@ -18,9 +21,25 @@ MOTOR, RUN, STEP = "motor", "motion-run", "motion-step"
 """The section and the view of its characteristic; the views of a run-up and of one crossing."""
 
 
+def _points(value: object, names: Names) -> tuple[tuple[float, float], ...]:
+    remedy = said('write speeds and moments, [["0 rpm", "30 N*m"], ["1000 rpm", "0 N*m"]]')
+    if not isinstance(value, list) or len(value) < 2:
+        raise ValueError(stands(value, remedy))
+    found = []
+    for item in value:
+        if not isinstance(item, list) or len(item) != 2:
+            raise ValueError(fault_in_list(item, remedy))
+        found.append(
+            (quantities.parse(item[0], "angular speed"), quantities.parse(item[1], "moment"))
+        )
+    if found[0][0] < 0.0 or not all(b[0] > a[0] for a, b in pairwise(found)):
+        raise ValueError(said("the speeds begin at 0 or above and grow from point to point"))
+    return tuple(found)
+
+
 @dataclass(frozen=True, order=True)  # of several wishes for it the greatest counts
 class MotorTask:
-    """A motor (its own speeds and moments): asynchronous by its catalogue, or with a straight characteristic.
+    """A motor (its own speeds and moments): asynchronous by its catalogue, straight, or by a table.
 
     ``ratio``: how many times faster than the crank it turns. ``J``: of its rotor. ``step``: how many intervals
     are before that whose crossing is drawn.
@@ -46,6 +65,12 @@ class MotorTask:
         "80 N*m",
         None,
     )
+    points: tuple[tuple[float, float], ...] | None = key(
+        Kind(_points, v.PAIRS),
+        "speeds and moments of a table, straight between them",
+        [["0 rpm", "30 N*m"], ["900 rpm", "24 N*m"], ["1000 rpm", "0 N*m"]],
+        None,
+    )
     ratio: float = key(
         v.number(Bound(1e-3, 1e4)),
         "how many times faster than the crank the motor turns",
@@ -67,15 +92,20 @@ def _check_motor(motor: Said, parts: Parts) -> Iterator[Flaw]:
     if count is not None and motor.step >= count:
         says = said("there are {count} intervals in a turn; write a smaller number", count=count)
         yield Flaw((MOTOR, "step"), says)
-    if motor.synchronous is not None and motor.no_load is not None:
+    kinds = [one for one in ("synchronous", "no_load", "points") if getattr(motor, one) is not None]
+    if len(kinds) > 1:
         says = said(
-            "an asynchronous motor has no straight characteristic: leave no_load out, or synchronous"
+            "a motor is asynchronous, has a straight characteristic or a table: leave {first} out, or {other}",
+            first=kinds[0],
+            other=kinds[1],
         )
-        yield Flaw((MOTOR, "no_load"), says)
+        yield Flaw((MOTOR, kinds[1]), says)
+    elif motor.points is not None:
+        return
     elif motor.synchronous is None and motor.no_load is None:
         says = said(
-            "nothing says what motor it is; write synchronous, nominal and power of an asynchronous one, or "
-            "no_load and starting"
+            "nothing says what motor it is; write synchronous, nominal and power of an asynchronous one, "
+            "no_load and starting, or points"
         )
         yield Flaw((MOTOR,), says)
     elif motor.starting is None or motor.synchronous is not None:

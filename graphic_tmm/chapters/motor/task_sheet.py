@@ -21,6 +21,9 @@ def given_of(motor: MotorTask) -> Iterator[Given]:
         yield given_speed("x", motor.no_load)
     if motor.starting is not None:
         yield Given("M_p", motor.starting, "N·m")
+    for k, (speed, moment) in enumerate(motor.points or (), 1):
+        yield Given(f"ω_{k}", speed, "1/s")
+        yield Given(f"M_{k}", moment, "N·m")
     yield Given("i", motor.ratio)
     if motor.J:
         yield Given("J_m", motor.J, "kg·m²")

@@ -131,6 +131,23 @@ def test_the_flywheel_keeps_the_given_irregularity(tmp_path: Path) -> None:
     assert value(again, LAW_PLAN.on(again).delta) == pytest.approx(alone / 3.0, rel=1e-5)
 
 
+def test_a_table_is_gone_through_straight(tmp_path: Path) -> None:
+    """A soft engine by five points, against the equation of motion with the moment read between them."""
+    table = ((0.0, 30.0), (60.0, 42.0), (110.0, 40.0), (140.0, 20.0), (150.0, -10.0))
+    of, motor = driven(0)
+    scale = motor.power / motor.nominal / 40.0 * 1.2
+    speed = motor.synchronous / 145.0
+    points = [(omega * speed, moment * scale) for omega, moment in table]
+    x, y = np.array(points).T
+
+    def moment(omega: float) -> float:
+        return float(motor.ratio * np.interp(omega * motor.ratio, x, y))
+
+    told = f"[motor]\npoints = {[list(one) for one in points]}\nratio = {motor.ratio!r}\n"
+    made = drawn(tmp_path, of._replace(motor=moment), 180, more=told)
+    assert off(speeds(made), motion(of._replace(motor=moment), angles(180)).omega) < 1e-3
+
+
 def weak() -> Machine:
     """A motor that its load stops within the turn."""
     light = crank(3)._replace(masses=(1e-9, 1e-9), inertia=1e-12, pressure=lambda phi: 0.0 * phi)
@@ -166,8 +183,13 @@ def replace_motor(of: Machine, motor: Catalogue, share: float) -> Machine:
 @pytest.mark.parametrize(
     ("old", "new", "says"),
     [
-        ("synchronous", "no_load = 3.0\nsynchronous", "no straight characteristic"),
+        (
+            "synchronous",
+            "no_load = 3.0\nsynchronous",
+            "asynchronous, has a straight characteristic or a table",
+        ),
         ("synchronous = ", "#", "nothing says what motor it is"),
+        ("synchronous = ", "points = [[3, 1], [2, 1]]\n#", "grow from point to point"),
         ("power = ", "#", "motor.power: it is missing"),
         ("nominal = ", "nominal = 1e3 #", "under load a motor turns more slowly"),
         ("step = 1", "step = 12", "there are 12 intervals in a turn"),
