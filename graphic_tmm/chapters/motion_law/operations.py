@@ -34,13 +34,13 @@ def _negative(heights: Reals) -> np.ndarray:
         "the energy would be negative."
     ),
 )
-def until_rest(of: Point, *, row: int) -> Point:
-    """Keep {of} up to the first below the base; mark {it}."""
+def until_rest(of: Length, *, row: int) -> Length:
+    """Keep {of} up to the first below the base: {it}."""
     found = np.array(of)
-    below = np.cumsum(_negative(of[:, :row].imag), axis=1)
+    below = np.cumsum(_negative(of[:, :row]), axis=1)
     gone = np.concatenate([np.zeros_like(below[:, :1]), below[:, :-1]], axis=1) > 0
     found[:, :row] = np.where(gone, np.nan, found[:, :row])
-    return Point(found)
+    return Length(found)
 
 
 @operation(
@@ -48,10 +48,10 @@ def until_rest(of: Point, *, row: int) -> Point:
     across=True,
     why=said("The end of the base is reached only by a machine that did not come to rest before."),
 )
-def reached(end: Point, of: Point, *, row: int) -> Point:
-    """Keep {end} if no point {of} lies below the base; mark {it}."""
-    gone = ~np.isfinite(of[:, :row]) | _negative(of[:, :row].imag)
-    return Point(np.where(gone.any(axis=1, keepdims=True), np.nan, end[:, :1]))
+def reached(end: Length, of: Length, *, row: int) -> Length:
+    """Keep {end} if no ordinate {of} lies below the base: {it}."""
+    gone = ~np.isfinite(of[:, :row]) | _negative(of[:, :row])
+    return Length(np.where(gone.any(axis=1, keepdims=True), np.nan, end[:, :1]))
 
 
 @operation(

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import STANDARD, Chart, integrated_scale
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.graphs import Base, Boundaries
+from graphic_tmm.board.graphs import Base
 from graphic_tmm.board.operations.energetics import added, reduced_inertia
 from graphic_tmm.board.operations.formulas import in_si, to_board
 from graphic_tmm.board.operations.graph_curves import open_graph
@@ -258,10 +258,9 @@ class _Law(ByMotor):
         known = self._known()
         heights = self.both(to_board, "y_T", (known.row, mu), (known.end, mu))
         axes = graphs.draw_axes(draft, ENERGY, self.base, mu)
-        laid = self.laid(axes, heights, "t")
-        kept = draft.draw(op.until_rest, "g", laid.points, row=self.row)
-        last = draft.draw(op.reached, at_end("g"), laid.end, kept, row=self.row)
-        at = Boundaries(kept, last)
+        kept = draft.draw(op.until_rest, "y_g", heights.row, row=self.row)
+        last = draft.draw(op.reached, at_end("y_g"), heights.end, kept, row=self.row)
+        at = self.laid(axes, Both(kept, last), "g")
         curve = graphs.through(draft, axes, at, closed=False)
         self.rest = draft.draw(op.comes_to_rest, "z", curve)
         self.energy_axes, self.energy_at = axes, at
