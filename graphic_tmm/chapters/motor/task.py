@@ -51,7 +51,7 @@ class MotorTask:
         v.SPEED, "synchronous speed of an asynchronous motor", "1500 rpm", None
     )
     overload: float = key(
-        v.number(Bound(1, 10, above=True), "ratio"),
+        v.number(Bound(1, 10, above=True)),
         "greatest moment over the nominal one, of an asynchronous motor",
         2.2,
         2.2,
