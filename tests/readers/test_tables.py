@@ -35,11 +35,11 @@ from graphic_tmm.scene.read import read
 OWN_BOARDS = {name for name, (one, _) in places().items() if one.board not in ("", MECHANISM)}
 ALONE = [name for name in NAMES if not gallery.scene(name).called & OWN_BOARDS]
 """Scenes of a mechanism alone: what stands on a board of its own has its own positions and scales."""
-GRAPHS = ("diagrams", "flywheel", "forces", "engine")
+GRAPHS = ("diagrams", "flywheel", "forces", "engine", "motion_law")
 """Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py."""
 OTHER_MU = {
     "mu_diagram_S", "mu_diagram_V", "mu_diagram_a", "mu_base", "mu_p", "mu_M", "mu_A", "mu_T", "mu_J",
-    "mu_lever",
+    "mu_lever", "mu_motor", "mu_motor_speeds",
 }  # fmt: skip
 FORCE_UNITS = ("N", "kgf", "kgf·m")
 MU = {"positions": "mu_l", "velocities": "mu_v", "accelerations": "mu_a"}
@@ -85,7 +85,7 @@ def test_the_document_has_its_shape(name: str) -> None:
     for plan, scale in made["scales"].items():
         known = plan in MU.values() or plan in OTHER_MU
         parts = ("mu_F_", "mu_l_", "mu_phi_", "mu_S_")
-        assert known or plan.startswith(parts) or plan.endswith("_engine")
+        assert known or plan.startswith(parts) or plan.endswith(("_engine", "_motion"))
         assert set(scale) == {"value", "unit"}
         assert scale["value"] > 0
     count = len(made["positions"])
@@ -96,6 +96,7 @@ def test_the_document_has_its_shape(name: str) -> None:
     for one in made["columns"]:
         assert list(one) == ["plan", "segment", "unit", "positions", "mm", "value"]
         assert one["unit"] in {
+            "s",
             "m",
             "m/s",
             "m/s²",

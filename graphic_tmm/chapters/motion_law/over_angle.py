@@ -119,7 +119,7 @@ class OverAngle:
     def _middles(self, view: str, mu: Mark, of: Mark, symbol: str, unit: str) -> tuple[Axes, Mark]:
         """Draw a graph of what is known in the middles of the intervals; return its axes and points."""
         draft = self.draft
-        height = draft.draw(to_board, f"y_{symbol[0]}", of, mu)
+        height = draft.draw(to_board, f"y_{{{symbol}}}", of, mu)
         axes = graphs.draw_axes(draft, view, self.base, mu)
         line = draft.draw(
             square, "(m)", axes.middles, axes.along, sense=1, why=graphs.ORDINATE_LINE
@@ -135,9 +135,9 @@ class OverAngle:
         draft, speed = self.draft, self.speed_axes
         draft.open(SLOWNESS)
         read = draft.draw(measure_along, "ω_m", speed.middles, self.middle, speed.up)
-        slow = draft.draw(op.slowness, "u", read, speed.mu, unit="s")
-        mu = draft.scale("μ_u", "s/mm")
-        source, high = self._middles(SLOWNESS, mu, slow, "u", "s")
+        slow = draft.draw(op.slowness, "1/ω_m", read, speed.mu, unit="s")
+        mu = draft.scale("μ_{1/ω}", "s/mm")
+        source, high = self._middles(SLOWNESS, mu, slow, "1/ω", "s")
         draft.open(TIME)
         scaled = integrated_scale(draft, "t", "s/mm", mu, self.base.mu, STANDARD)
         axes = graphs.draw_axes(draft, TIME, self.base, scaled.mu)

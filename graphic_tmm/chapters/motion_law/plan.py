@@ -258,8 +258,8 @@ class _Law(ByMotor):
         known = self._known()
         heights = self.both(to_board, "y_T", (known.row, mu), (known.end, mu))
         axes = graphs.draw_axes(draft, ENERGY, self.base, mu)
-        kept = draft.draw(op.until_rest, "y_g", heights.row, row=self.row)
-        last = draft.draw(op.reached, at_end("y_g"), heights.end, kept, row=self.row)
+        kept = draft.draw(op.until_rest, "y′", heights.row, row=self.row)
+        last = draft.draw(op.reached, at_end("y′"), heights.end, kept, row=self.row)
         at = self.laid(axes, Both(kept, last), "g")
         curve = graphs.through(draft, axes, at, closed=False)
         self.rest = draft.draw(op.comes_to_rest, "z", curve)
@@ -293,16 +293,16 @@ class _Law(ByMotor):
         self.ray_lines = self.both(join, "(Oe)", row, end, why=why.RAY)
         up = [
             draft.draw(measure_along, name, own.origin, point, own.up)
-            for name, point in zip(("T_e", at_end("T_e")), self.points, strict=True)
+            for name, point in zip(("T′", at_end("T′")), self.points, strict=True)
         ]
         along = [
             draft.draw(measure_along, name, own.origin, point, own.along)
-            for name, point in zip(("J_e", at_end("J_e")), self.points, strict=True)
+            for name, point in zip(("J′", at_end("J′")), self.points, strict=True)
         ]
         row, end = zip(up, along, strict=True)
         slope = self.both(op.slope_of_ray, "tan ψ", row, end)
         rows, ends = ((one, mu_T, own.mu) for one in slope)
-        told = self.both(op.speed_of_ray, "ω_e", rows, ends, unit="1/s")
+        told = self.both(op.speed_of_ray, "ω′", rows, ends, unit="1/s")
         return told._replace(row=draft.draw(op.begins_with, "ω", told.row, own.start, unit="1/s"))
 
     # ------------------------------------------------------------ how it moves
@@ -311,16 +311,16 @@ class _Law(ByMotor):
         """Measure how far the motion goes, calculate how long."""
         draft, axes, speed, energy = self.draft, self.time_axes, self.speed_axes, self.energy_axes
         draft.open(TIME)
-        far = draft.draw(measure_along, "x_z", energy.origin, self.rest, energy.along)
-        angle = draft.draw(in_si, "φ_z", far, self.base.mu, unit="rad")
-        before = draft.draw(op.last_before, "τ_z", self.time_points.points, self.rest, row=self.row)
-        fast = draft.draw(op.last_before, "w_z", self.speed.points, self.rest, row=self.row)
+        far = draft.draw(measure_along, "x_r", energy.origin, self.rest, energy.along)
+        angle = draft.draw(in_si, "φ_r", far, self.base.mu, unit="rad")
+        before = draft.draw(op.last_before, "τ_r", self.time_points.points, self.rest, row=self.row)
+        fast = draft.draw(op.last_before, "w_r", self.speed.points, self.rest, row=self.row)
         near = draft.draw(measure_along, "x_b", axes.origin, before, axes.along)
         since = draft.draw(measure_along, "t_b", axes.origin, before, axes.up)
         first = draft.draw(measure_along, "ω_b", speed.origin, fast, speed.up)
-        high = draft.draw(measure_along, "T_z", energy.origin, self.rest, energy.up)
-        slope = draft.draw(op.slope_of_ray, "tan ψ_z", high, self.inertia.x)
-        last = draft.draw(op.speed_of_ray, "ω_z", slope, energy.mu, self.inertia.mu, unit="1/s")
-        ends = draft.draw(to_board, "y_z", last, speed.mu)
+        high = draft.draw(measure_along, "h_r", energy.origin, self.rest, energy.up)
+        slope = draft.draw(op.slope_of_ray, "tan ψ_r", high, self.inertia.x)
+        last = draft.draw(op.speed_of_ray, "ω_r", slope, energy.mu, self.inertia.mu, unit="1/s")
+        ends = draft.draw(to_board, "y_r", last, speed.mu)
         used = (since, axes.mu, far, near, self.base.mu, first, ends, speed.mu)
-        return angle, draft.draw(op.time_at_end, "t_z", *used, unit="s")
+        return angle, draft.draw(op.time_at_end, "t_r", *used, unit="s")

@@ -28,9 +28,9 @@ SCALE_KEYS = {
     WORK: "mu_A_motion",
     ENERGY: "mu_T_motion",
     MASS: "mu_J_motion",
-    SPEED: "mu_omega",
-    ACCELERATION: "mu_epsilon",
-    SLOWNESS: "mu_u",
+    SPEED: "mu_omega_motion",
+    ACCELERATION: "mu_epsilon_motion",
+    SLOWNESS: "mu_slowness_motion",
     TIME: "mu_t_motion",
 }
 """What the scale factors are called where machines read them."""

@@ -76,7 +76,7 @@ def _graph(drawn: Drawn, law: MotionLaw, view: str, lettered: bool) -> Drawing:
     letters = Names(
         [escape(name) for name in project.names],
         on_axis(
-            symbols.symbol("1/ω" if view == SLOWNESS else chart.symbol, language),
+            symbols.symbol(chart.symbol, language),
             unit(chart.unit, language),
         ),
         on_axis("φ", unit(phi.unit.removesuffix("/mm"), language)),

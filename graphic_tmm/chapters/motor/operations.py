@@ -71,7 +71,7 @@ def starting_moment(moment: Number, idle: Number, omega: Number) -> Number:
 
 def _through(omega: Reals, moment: Reals, rise: Reals, mu_M: Reals, mu_omega: Reals) -> Curve:
     """Return a curve by speeds, moments there, and their rise by unit of speed."""
-    mu_M, mu_omega, step = single(mu_M, mu_omega, omega[:, 1:2])
+    mu_M, mu_omega, step = single((mu_M, mu_omega, omega[:, 1:2]))
     return Curve(
         omega / mu_omega + 1j * moment / mu_M, step / mu_omega + 1j * rise * step / mu_M, False
     )
@@ -92,7 +92,7 @@ def kloss_curve(
     greatest: Number, critical: Number, synchronous: Number, mu_M: Number, mu_omega: Number
 ) -> Curve:
     """By 2·{greatest}/(s/{critical} + {critical}/s), s = 1 − ω/{synchronous}, draw the characteristic {it}."""
-    greatest, critical, synchronous = single(greatest, critical, synchronous)
+    greatest, critical, synchronous = single((greatest, critical, synchronous))
     omega = _speeds(synchronous)
     s = 1.0 - omega / synchronous
     square = s**2 + critical**2
@@ -108,7 +108,7 @@ def kloss_curve(
 )
 def straight_curve(starting: Number, idle: Number, mu_M: Number, mu_omega: Number) -> Curve:
     """From the moment {starting} at rest to none at {idle} draw the straight characteristic {it}."""
-    starting, idle = single(starting, idle)
+    starting, idle = single((starting, idle))
     omega = _speeds(idle)
     moment = starting * (1.0 - omega / idle)
     return _through(omega, moment, np.broadcast_to(-starting / idle, omega.shape), mu_M, mu_omega)
@@ -123,7 +123,7 @@ def level_curve(
     moment: Number, last: Number, ratio: Number, mu_M: Number, mu_omega: Number
 ) -> Curve:
     """Up to {last}, by {ratio} times less on the crank, draw {it} level, as high as {moment}."""
-    moment, last, ratio = single(moment, last, ratio)
+    moment, last, ratio = single((moment, last, ratio))
     omega = last / ratio * np.arange(KNOTS) / (KNOTS - 1)
     return _through(omega, moment * ratio + 0.0 * omega, 0.0 * omega, mu_M, mu_omega)
 
@@ -138,7 +138,7 @@ def on_to(
     mu_M: Number, mu_omega: Number,
 ) -> Curve:  # fmt: skip
     """From {omega}, {moment} on draw {motor} straight to {after}, {then}, by {ratio} on the crank: {it}."""
-    values = single(omega, moment, after, then, ratio, mu_M, mu_omega)
+    values = single((omega, moment, after, then, ratio, mu_M, mu_omega))
     omega, moment, after, then, ratio, mu_M, mu_omega = values
     x, step = motor.knots.real, motor.tangents.real[:, :1]
     slope = (then - moment) * ratio / mu_M / ((after - omega) / ratio / mu_omega)
@@ -174,7 +174,7 @@ def known_energy(
 )
 def parabola(inertia: Length, motor: Curve, mu_J: Number, mu_T: Number, mu_omega: Number) -> Curve:
     """Over the speeds of {motor} draw the parabola J·ω²/2 of {inertia}: {it}."""
-    inertia, mu_J, mu_T, mu_omega = single(inertia, mu_J, mu_T, mu_omega)
+    inertia, mu_J, mu_T, mu_omega = single((inertia, mu_J, mu_T, mu_omega))
     x, scale = motor.knots.real, inertia * mu_J * mu_omega**2 / mu_T
     return Curve(
         x + 0.5j * scale * x**2, motor.tangents.real + 1j * scale * x * motor.tangents.real, False
@@ -192,7 +192,7 @@ def energy_by_motor(
     known: Number, motor: Curve, share: Number, way: Number, mu_M: Number, mu_T: Number,
 ) -> Curve:  # fmt: skip
     """Raise the motor's curve {motor}, to the scale of energies, by {known}: {it}."""
-    known, share, way, mu_M, mu_T = single(known, share, way, mu_M, mu_T)
+    known, share, way, mu_M, mu_T = single((known, share, way, mu_M, mu_T))
     scale = share * way * mu_M / mu_T
     knots = motor.knots.real + 1j * (known / mu_T + scale * motor.knots.imag)
     return Curve(knots, motor.tangents.real + 1j * scale * motor.tangents.imag, False)

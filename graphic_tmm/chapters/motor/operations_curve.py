@@ -11,10 +11,18 @@ from graphic_tmm.board.values import Curve, Reals
 ROUNDS = 12
 """Rounds in which a crossing is sought, by Newton's rule, or the speed with which a cycle begins and ends."""
 
+CLOSE = 1e-14
+"""A crossing that Newton's rule moves by less than this share of an arc is there."""
 
-def single(*values: Any) -> list[Any]:
+
+def single(values: tuple[Any, ...]) -> list[Any]:
     """Return what is one for all positions, (trial, 1)."""
     return [value[:, :1] for value in values]
+
+
+def _knot(values: Reals, first: np.ndarray) -> Reals:
+    """Return the values at knots (trial, place) by their numbers."""
+    return np.asarray(values[np.arange(len(values))[:, None], first])
 
 
 class Motor(NamedTuple):
@@ -24,16 +32,20 @@ class Motor(NamedTuple):
     moment: Reals
     rise: Reals
 
-    def at(self, omega: Reals) -> Reals:
-        """Return the moment at speeds (trial, 1); behind its end that of the end."""
-        last = self.omega.shape[1] - 1
-        place = np.clip(omega / self.omega[:, 1:2], 0.0, last)
-        first = np.minimum(np.nan_to_num(np.floor(place)), last - 1).astype(int)
-        u = place - first
-        p, q = (np.take_along_axis(self.moment, first + k, axis=1) for k in (0, 1))
-        m, n = (np.take_along_axis(self.rise, first + k, axis=1) for k in (0, 1))
+    def cubic(self, first: np.ndarray) -> tuple[Reals, Reals, Reals, Reals]:
+        """Return the coefficients of the arcs that begin at knots, by powers of the share of an arc."""
+        p, q = _knot(self.moment, first), _knot(self.moment, first + 1)
+        m, n = _knot(self.rise, first), _knot(self.rise, first + 1)
         rise = q - p
-        return np.asarray(p + u * (m + u * (3.0 * rise - 2.0 * m - n + u * (m + n - 2.0 * rise))))
+        return p, m, 3.0 * rise - 2.0 * m - n, m + n - 2.0 * rise
+
+    def at(self, omega: Reals) -> Reals:
+        """Return the moment at speeds (trial, place); behind its end that of the end."""
+        last = self.omega.shape[1] - 1
+        place = np.minimum(np.maximum(omega / self.omega[:, 1:2], 0.0), last)
+        first = np.minimum(np.where(np.isnan(place), 0.0, place).astype(int), last - 1)
+        u, (p, m, bend, twist) = place - first, self.cubic(first)
+        return np.asarray(p + u * (m + u * (bend + u * twist)))
 
     def slope(self, omega: Reals) -> Reals:
         """Return how much the moment changes with the speed, N·m·s."""
@@ -43,7 +55,7 @@ class Motor(NamedTuple):
 
 def motor_of(curve: Curve, mu_M: Reals, mu_omega: Reals) -> Motor:
     """Return a characteristic that is drawn, to its scales."""
-    mu_M, mu_omega = single(mu_M, mu_omega)
+    mu_M, mu_omega = single((mu_M, mu_omega))
     return Motor(curve.knots.real * mu_omega, curve.knots.imag * mu_M, curve.tangents.imag * mu_M)
 
 
@@ -55,20 +67,24 @@ def crossed(left: Motor, start: Reals, here: Reals) -> Reals:
     last, h = left.omega.shape[1] - 1, left.omega[:, 1:2]
     above = (left.omega > start) & (left.moment <= 0.0)
     below = (left.omega < start) & (left.moment >= 0.0)
-    up, down = np.argmax(above, axis=1), last - np.argmax(below[:, ::-1], axis=1)
-    faster = here[:, 0] > 0.0
-    knot = np.where(faster, np.maximum(up - 1, 0), np.minimum(down, last - 1))[:, None]
-    p, q = (np.take_along_axis(left.moment, knot + k, axis=1) for k in (0, 1))
-    m, n = (np.take_along_axis(left.rise, knot + k, axis=1) for k in (0, 1))
-    bend, twist = 3.0 * (q - p) - 2.0 * m - n, m + n - 2.0 * (q - p)
-    at = np.clip(start / h - knot, 0.0, 1.0)
-    low, high = np.where(faster[:, None], at, 0.0), np.where(faster[:, None], 1.0, at)
-    u = (low + high) / 2.0
+    faster = here > 0.0
+    up, down = above.argmax(axis=1), last - below[:, ::-1].argmax(axis=1)
+    knot = np.where(faster[:, 0], np.maximum(up - 1, 0), np.minimum(down, last - 1))[:, None]
+    p, m, bend, twist = left.cubic(knot)
+    at = np.minimum(np.maximum(start / h - knot, 0.0), 1.0)
+    low, high = np.where(faster, at, 0.0), np.where(faster, 1.0, at)
+    u = at
     for _ in range(ROUNDS):
         value = p + u * (m + u * (bend + u * twist))
-        low, high = np.where(value > 0.0, u, low), np.where(value > 0.0, high, u)
+        positive = value > 0.0
+        low, high = np.where(positive, u, low), np.where(positive, high, u)
         slope = m + u * (2.0 * bend + 3.0 * u * twist)
         new = u - value / np.where(slope < 0.0, slope, np.nan)
-        u = np.where((new >= low) & (new <= high), new, (low + high) / 2.0)
-    there = np.where(faster, above.any(axis=1), below.any(axis=1))[:, None]
+        new = np.where((new >= low) & (new <= high), new, (low + high) / 2.0)
+        # a share that no longer changes stays, whatever the other trials need
+        new = np.where(np.abs(new - u) <= CLOSE, u, new)
+        if (new == u).all():
+            break
+        u = new
+    there = np.where(faster[:, 0], above.any(axis=1), below.any(axis=1))[:, None]
     return np.where((here == 0.0) | ~there, np.where(here == 0.0, start, np.nan), h * (knot + u))

@@ -17,7 +17,7 @@ from graphic_tmm.scene.misfits import fault_in_list, stands
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
-MOTOR, RUN, STEP = "motor", "motion-run", "motion-step"
+MOTOR, RUN, STEP = "motor", "motion-calculation", "motion-step"
 """The section and the view of its characteristic; the views of a run-up and of one crossing."""
 
 
