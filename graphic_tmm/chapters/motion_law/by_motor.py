@@ -17,6 +17,9 @@ from graphic_tmm.chapters.motor.plan import DrawnMotor
 from graphic_tmm.chapters.motor.step import DrawnStep, Run, draw_step
 from graphic_tmm.chapters.motor.task import RUN
 
+ENOUGH = 24
+"""By so many positions a turn, or a few more, the turns of a run-up are counted."""
+
 
 class Inertia(NamedTuple):
     """The energy–mass diagram as begun: its axes, the feet of J (Point), J of the first position and T_0 there.
@@ -99,7 +102,9 @@ class ByMotor(OverAngle):
             return None
         self.draft.open(RUN)
         used = self.by_motor(self.motor, own.read, own.mu, own.start)
-        rows = self.draft.draw(op.turns_to_run_up, "n", *used, row=self.row)
+        a_turn = self.row // self.machine.turns
+        stride = max(s for s in range(1, a_turn + 1) if a_turn % s == 0 and a_turn // s >= ENOUGH or s == 1)
+        rows = self.draft.draw(op.turns_to_run_up, "n", *used, row=self.row, stride=stride)
         turns = self.draft.take(Number, "n_t", float(self.machine.turns))
         return self.draft.draw(op.turns_of_rows, "n_r", rows, turns)
 

@@ -28,6 +28,10 @@ MOST = 200
 """Turns after which a run-up is given up."""
 
 
+CLOSE = 1e-6
+"""A speed is that of the steady cycle when a turn changes it by less than this share."""
+
+
 class Interval(NamedTuple):
     """An interval: T at its beginning and what the loads do over it (J), J at its end, Δφ; all (trial, 1)."""
 
@@ -84,6 +88,11 @@ class Turns(NamedTuple):
             omega = after
         return omega
 
+    def thinned(self, stride: int) -> Turns:
+        """Return the same by every so many-th position."""
+        gains = self.gains.reshape(len(self.gains), -1, stride).sum(axis=2)
+        return Turns(self.motor, gains, self.inertia[:, ::stride], self.way * stride)
+
 
 def _turns(values: tuple[Reals, ...], motor: Motor, row: int) -> Turns:
     works, end, feet, way = alike(*values)
@@ -137,12 +146,10 @@ def run_up_end(
     return Number(after)
 
 
-def _steady(own: Turns) -> Reals:
-    """Return the speed with which the row begins and ends, from that without load on."""
-    last = own.motor.omega.shape[1] - 1
-    top = last - np.argmax(own.motor.moment[:, ::-1] > 0.0, axis=1)[:, None]
-    omega = np.take_along_axis(own.motor.omega, top, axis=1)
+def _steady(own: Turns, omega: Reals) -> Reals:
+    """Return the speed with which the row begins and ends, sought from a speed on by Steffensen's rule."""
     omega = np.broadcast_to(omega, (own.gains.shape[0], 1))
+    before = first = omega
     for _ in range(ROUNDS):
         first = own.turn(omega)
         second = own.turn(first)
@@ -150,9 +157,16 @@ def _steady(own: Turns) -> Reals:
         even = np.abs(bend) <= 1e-12 * np.abs(omega)
         better = omega - (first - omega) ** 2 / np.where(even, 1.0, bend)
         before, omega = omega, np.where(even | ~(better > 0.0), second, better)
-        if not (np.abs(omega - before) > 1e-12 * omega).any():
+        # each round squares what is off
+        if not (np.abs(omega - before) > CLOSE * omega).any():
             break
-    return np.where(np.abs(own.turn(omega) - omega) < 1e-6 * omega, omega, np.nan)
+    return np.where(np.abs(first - before) < CLOSE * omega, omega, np.nan)
+
+
+def _idle(motor: Motor) -> Reals:
+    """Return the speed without load, up to a knot."""
+    top = motor.omega.shape[1] - 1 - np.argmax(motor.moment[:, ::-1] > 0.0, axis=1)[:, None]
+    return np.take_along_axis(motor.omega, top, axis=1)
 
 
 @operation(
@@ -169,7 +183,8 @@ def steady_speed(
 ) -> Number:  # fmt: skip
     """Go over the row again and again by the motor's curve {motor}, to the speed {it} that comes back."""
     values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
-    return Number(_steady(_turns(values, motor_of(motor, mu_M, mu_omega), row)))
+    own = _turns(values, motor_of(motor, mu_M, mu_omega), row)
+    return Number(_steady(own, _idle(own.motor)))
 
 
 @operation(
@@ -188,10 +203,13 @@ def inertia_for(
     """Seek {it} that with {inertia} makes the steady cycle by the motor {motor} as uneven as {delta}."""
     values = (work * mu_A, end * mu_A, inertia, base * mu_phi)
     own, due = _turns(values, motor_of(motor, mu_M, mu_omega), row), 1.0 / delta[:, :1]
+    start = _idle(own.motor)
 
     def even(more: Reals) -> Reals:
+        nonlocal start
         run = own._replace(inertia=own.inertia + more)
-        first = _steady(run)
+        first = _steady(run, start)
+        start = np.where(np.isfinite(first), first, start)
         return 1.0 / uneven([first, *(omega for omega, _ in run.go(first))])
 
     low = np.zeros_like(due + own.way)
@@ -234,11 +252,11 @@ def unevenness(of: Number, end: Number, *, row: int) -> Number:
 )
 def turns_to_run_up(
     motor: Curve, start: Number, work: Length, end: Length, inertia: Length, base: Length,
-    mu_M: Number, mu_omega: Number, mu_A: Number, mu_J: Number, mu_phi: Number, *, row: int,
+    mu_M: Number, mu_omega: Number, mu_A: Number, mu_J: Number, mu_phi: Number, *, row: int, stride: int,
 ) -> Number:  # fmt: skip
     """From {start} on by {motor} count the rows {it} until one changes the speed by less than 0.1 %."""
     values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
-    own = _turns(values, motor_of(motor, mu_M, mu_omega), row)
+    own = _turns(values, motor_of(motor, mu_M, mu_omega), row).thinned(stride)
     omega = np.broadcast_to(start[:, :1], (own.gains.shape[0], 1))
     found = np.full(omega.shape, np.nan)
     for k in range(MOST):

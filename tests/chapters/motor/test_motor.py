@@ -75,6 +75,17 @@ def test_the_error_of_a_step_goes_with_its_square(
         assert few < 0.01
 
 
+def test_the_turns_of_a_run_up_are_counted(tmp_path: Path) -> None:
+    """Until one changes the speed by less than 0.1 %: by the equation of motion, at few positions and at many."""
+    for seed, count in ((1, 24), (3, 12), (5, 72)):
+        of, _ = driven(seed)
+        made = drawn(tmp_path, of, count)
+        turns = int(value(made, LAW_PLAN.on(made).run_up))
+        omega = motion(of, np.arange(turns + 2) * TURN).omega
+        change = np.abs(np.diff(omega)) / omega[1:]
+        assert turns == np.argmax(change < 1e-3), change
+
+
 def test_the_crossing_that_is_drawn_is_that_of_the_run(tmp_path: Path) -> None:
     for seed, step in ((1, 0), (1, 5), (2, 11), (0, 3)):
         made = drawn(tmp_path, driven(seed)[0], 12, step=step)
