@@ -103,7 +103,9 @@ class ByMotor(OverAngle):
         self.draft.open(RUN)
         used = self.by_motor(self.motor, own.read, own.mu, own.start)
         a_turn = self.row // self.machine.turns
-        stride = max(s for s in range(1, a_turn + 1) if a_turn % s == 0 and a_turn // s >= ENOUGH or s == 1)
+        stride = max(
+            s for s in range(1, a_turn + 1) if (a_turn % s == 0 and a_turn // s >= ENOUGH) or s == 1
+        )
         rows = self.draft.draw(op.turns_to_run_up, "n", *used, row=self.row, stride=stride)
         turns = self.draft.take(Number, "n_t", float(self.machine.turns))
         return self.draft.draw(op.turns_of_rows, "n_r", rows, turns)

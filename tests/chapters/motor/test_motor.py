@@ -76,7 +76,7 @@ def test_the_error_of_a_step_goes_with_its_square(
 
 
 def test_the_turns_of_a_run_up_are_counted(tmp_path: Path) -> None:
-    """Until one changes the speed by less than 0.1 %: by the equation of motion, at few positions and at many."""
+    """Until one changes the speed by less than 0.1 %: by the equation of motion, at any count."""
     for seed, count in ((1, 24), (3, 12), (5, 72)):
         of, _ = driven(seed)
         made = drawn(tmp_path, of, count)
