@@ -11,6 +11,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import ray
 from graphic_tmm.board.record import Mark, Step
@@ -183,7 +184,7 @@ def step_figure(
 def worth(step: Step) -> bool:
     """Whether a step has a figure that its sentence does not state, as it states a value without a letter."""
     op = step.op
-    if op.formula or op.reads:
+    if op.formula or op.reads or step.it.role == roles.READ_OFF:
         return True
     return op.leaves is Number and all(mark.name for mark in step.uses)
 

@@ -148,6 +148,7 @@ UNITS = {
     "force": "N",
     "moment": "N·m",
     "moment of inertia": "kg·m²",
+    "unbalance": "kg·m",
     "pressure": "Pa",
     "density": "kg/m³",
     "power": "W",

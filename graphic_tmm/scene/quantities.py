@@ -44,6 +44,7 @@ _WORDS: dict[Dimension, tuple[str, str]] = {
     "pressure": (said("a pressure"), "300 kPa"),
     "moment": (said("a moment"), "12 N*m"),
     "moment of inertia": (said("a moment of inertia"), "0.02 kg*m^2"),
+    "unbalance": (said("an unbalance"), "250 g*mm"),
     "scale of lengths": (said("a scale of lengths"), "0.005 m/mm"),
     "scale of velocities": (said("a scale of velocities"), "0.25 (m/s)/mm"),
     "scale of accelerations": (said("a scale of accelerations"), "12.5 (m/s^2)/mm"),

@@ -21,6 +21,7 @@ Dimension = Literal[
     "pressure",
     "moment",
     "moment of inertia",
+    "unbalance",
     "scale of lengths",
     "scale of velocities",
     "scale of accelerations",
@@ -120,6 +121,10 @@ _TABLE: tuple[tuple[Dimension, str | float | Decimal, str], ...] = (
     ("moment of inertia", _SLUG * _FT * _IN, "lbf·in·s² in·lbf·s² lb·in·s² in·lb·s²"),
     ("moment of inertia", _LB * _FT**2, "lb·ft² lbm·ft²"),
     ("moment of inertia", _LB * _IN**2, "lb·in² lbm·in²"),
+    ("unbalance", "1", "kg·m кг·м"),
+    ("unbalance", "0.001", "kg·mm кг·мм g·m г·м"),
+    ("unbalance", "1e-5", "g·cm г·см"),
+    ("unbalance", "1e-6", "g·mm г·мм"),
     ("scale of lengths", "1", "m/mm м/мм"),
     ("scale of lengths", "0.001", "mm/mm мм/мм"),
     ("scale of lengths", _FT, "ft/mm фут/мм"),
@@ -221,7 +226,9 @@ class System(NamedTuple):
     def size(self, dimension: Dimension) -> float:
         """Return the unit of a dimension in SI."""
         length, force = _POWERS.get(dimension, (0, 0))
-        mass = self.mass if dimension in ("mass", "density", "moment of inertia") else 1
+        mass = (
+            self.mass if dimension in ("mass", "density", "moment of inertia", "unbalance") else 1
+        )
         return float(self.length**length * self.force**force * mass)
 
 
@@ -233,6 +240,7 @@ _POWERS: Mapping[Dimension, tuple[int, int]] = {
     "pressure": (-2, 1),
     "moment": (1, 1),
     "moment of inertia": (2, 0),
+    "unbalance": (1, 0),
     "power": (1, 1),
     "density": (-3, 0),
     "stiffness": (-1, 1),
