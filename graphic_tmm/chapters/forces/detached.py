@@ -86,11 +86,11 @@ class Chain:
         self.draft, self.mu, self.end = draft, mu, start
         self.sides: list[Side] = []
 
-    def add(self, letter: str, line: Mark, value: Mark) -> None:
-        """Lay off a load parallel to its line of action."""
+    def add(self, letter: str, line: Mark, value: Mark, vertex: str = "") -> None:
+        """Lay off a load parallel to its line of action; ``vertex``: its end's name, if no number."""
         draft = self.draft
         side = draft.draw(parallel, f"({letter})", self.end, line, sense=1, why=why.KNOWN_SIDE)
-        self.lay(letter, side, value)
+        self.lay(letter, side, value, vertex)
 
     def add_across(self, letter: str, line: Mark, value: Mark) -> None:
         """Lay off a tangential component: square to its link."""
@@ -99,11 +99,12 @@ class Chain:
         )
         self.lay(letter, side, value)
 
-    def lay(self, letter: str, side: Mark, value: Mark) -> None:
+    def lay(self, letter: str, side: Mark, value: Mark, vertex: str = "") -> None:
         """Lay off a force along a line that begins at the end of the chain."""
         draft = self.draft
         length = draft.draw(to_board, f"y_{{{bare(letter)}}}", value)
-        head = self.draft.draw(lay_off, str(self.count + 1), side, length, why=why.KNOWN_SIDE)
+        name = vertex or str(self.count + 1)
+        head = draft.draw(lay_off, name, side, length, why=why.KNOWN_SIDE)
         self.sides.append((letter, self.end, head))
         self.end = head
 

@@ -11,6 +11,7 @@ from dataclasses import replace
 from operator import attrgetter
 
 from graphic_tmm.board import roles
+from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, square
 from graphic_tmm.board.operations.statics import (
     action,
@@ -21,6 +22,7 @@ from graphic_tmm.board.operations.statics import (
     reversed_,
     weight,
 )
+from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.given_loads import given_load
 from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
@@ -126,24 +128,30 @@ def _inertia_force(ground: Ground, plan: Motion, link: Link) -> Force | None:
     centre = mass_centre(ground.mechanism, link)
     point, image = point_of(ground, n, centre)
     end = plan.images.by_letter[n][centre]
+    assert link.mass is not None
+    mass, letter = draft.constant(f"m_{n}", link.mass, "kg"), f"P_{{i{n}}}"
+    drawn = inertia_force_at(draft, plan, letter, mass, point, end)
+    if drawn is None:
+        return None
+    value, line = drawn
+    return Force(letter, n, point, line, value, image)
+
+
+def inertia_force_at(
+    draft: Draft, plan: Motion, letter: str, mass: Mark, point: Mark, end: Mark
+) -> tuple[Mark, Mark] | None:
+    """Return the inertia force of a mass at a point, N, and its line of action; None where it never moves.
+
+    ``end``: the image of the point on the plan of accelerations.
+    """
     segment = reading_of(draft, plan, end)
     if segment is None:
         return None
-    assert link.mass is not None
-    mass = draft.constant(f"m_{n}", link.mass, "kg")
-    formula = inertia_force_along if is_signed(draft, segment) else inertia_force
-    letter = f"P_{{i{n}}}"
-    value = draft.draw(formula, letter, mass, segment, unit="N", role=roles.INERTIA)
-    line = draft.draw(
-        action,
-        f"({letter})",
-        point,
-        end,
-        plan.images.pole,
-        role=roles.INERTIA,
-        why=why.INERTIA_LINE,
-    )
-    return Force(letter, n, point, line, value, image)
+    op = inertia_force_along if is_signed(draft, segment) else inertia_force
+    value = draft.draw(op, letter, mass, segment, unit="N", role=roles.INERTIA)
+    ends = (point, end, plan.images.pole)
+    line = draft.draw(action, f"({letter})", *ends, role=roles.INERTIA, why=why.INERTIA_LINE)
+    return value, line
 
 
 def _gas(ground: Ground, cylinder: Cylinder) -> Iterator[Force]:

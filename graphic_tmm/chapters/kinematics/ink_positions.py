@@ -116,7 +116,7 @@ def _arms(pairs: Sequence[DrivenPair], positions: Positions) -> list[tuple[Mark,
 
 
 def draw_position_ink(
-    on: Subject, reaches: Mapping[Figure, Reach], index: int, upon: Sequence[Stroke] = ()
+    on: Subject, reaches: Mapping[Figure, Reach], index: int, upon: Sequence[Ink] = ()
 ) -> Drawing:
     """Return the plan of one position by itself.
 

@@ -1,0 +1,115 @@
+"""Counterweights on the board: where they stand on their links, their accelerations."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from typing import NamedTuple
+
+from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.instruments import lay_off, measure
+from graphic_tmm.board.record import Mark, between
+from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.balance import words as why
+from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, Counterweight
+from graphic_tmm.chapters.kinematics.bodies import PinLeg, dyads, incline_by
+from graphic_tmm.chapters.kinematics.drives.crank import Crank
+from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
+from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
+from graphic_tmm.project import Bench
+
+
+class Arm(NamedTuple):
+    """How a link turns: the letter that it turns about, and that of its pin; "" where a guide is in its place.
+
+    ``body``: the number of the link on which it turns.
+    """
+
+    pivot: str
+    pin: str
+    body: int
+
+
+class Weight(NamedTuple):
+    """A counterweight as drawn: on which link, its tag in letters, its mass (kg), its radius (m).
+
+    ``at``: its mass centre on the plan of positions; ``pivot``: what it stands at that radius from.
+    """
+
+    link: int
+    tag: str
+    mass: Mark
+    radius: Mark
+    pivot: Mark
+    at: Mark
+
+
+def arms_of(plans: KinematicPlans) -> dict[int, Arm]:
+    """Return how links turn, by number, those that are driven first; links that only slide are not there."""
+    frame = plans.mechanism.frame.number
+    found = {
+        pair.link: Arm(pair.pivot, pair.pin, frame)
+        for pair in plans.pairs
+        if isinstance(pair, Crank)
+    }
+    for closing in dyads(plans.positions.closings, BALANCE):
+        for leg in closing.legs:
+            if isinstance(leg, PinLeg) and not leg.rod:
+                own = plans.positions.bodies[leg.link].marks.items()
+                pin = next((letter for letter, mark in own if mark == closing.point), "")
+                found[leg.link] = Arm(leg.letter, pin, leg.body)
+    return found
+
+
+def arm_of(plans: KinematicPlans, link: int) -> Arm:
+    """Return how a link turns; StructureError if it does not."""
+    arms = arms_of(plans)
+    if link not in arms:
+        says = said(
+            "link {link} does not turn about a pin: a counterweight stands on one of links {links}",
+            link=link,
+            links=", ".join(map(str, arms)),
+        )
+        raise StructureError(says, f"{COUNTERWEIGHTS[:-1]}.link", head=BALANCE)
+    return arms[link]
+
+
+def draw_weight(bench: Bench, plans: KinematicPlans, one: Counterweight, index: str) -> Weight:
+    """Draw a counterweight on its link in all positions.
+
+    Raises
+    ------
+    StructureError
+        If the link does not turn about a pin.
+    """
+    draft, arm, body = bench.draft, arm_of(plans, one.link), plans.positions.bodies[one.link]
+    draft.open(COUNTERWEIGHTS)
+    own, letter = body.link.points, f"K_{{{index}}}"
+    way = math.degrees(cmath.phase(own[arm.pin] - own[arm.pivot])) if arm.pin else body.angle
+    pivot = body.marks[arm.pivot]
+    name = f"{arm.pivot}{letter}"
+    line = incline_by(
+        draft, name, pivot, body.axis, way - body.angle + one.angle, why.COUNTERWEIGHT_LINE
+    )
+    mass = draft.take(Number, f"m_{{c{index}}}", one.mass, "kg")
+    radius = draft.take(Number, f"r_{{c{index}}}", one.radius, "m")
+    length = draft.draw(to_board, name, radius, draft.mu_l)
+    at = draft.draw(lay_off, letter, line, length, free=True, why=why.COUNTERWEIGHT_AT)
+    return Weight(one.link, index, mass, radius, pivot, at)
+
+
+def image_of(bench: Bench, plans: KinematicPlans, weight: Weight) -> Mark:
+    """Draw the image of a counterweight's mass centre on the plan of accelerations, and measure its way."""
+    draft, plan = bench.draft, plans.accelerations
+    assert plan is not None
+    draft.open(ACCELERATIONS)
+    # no letter of a scene reads so: none of the link's own points is taken for it
+    end = plan.images.of(
+        weight.link, weight.at, f"counterweight {weight.tag}", weight.at.letter.lower()
+    )
+    if end != plan.images.pole:
+        name = between(plan.images.pole, end.letter)
+        draft.draw(measure, name, plan.images.pole, end, why=why.COUNTERWEIGHT_GAINS)
+    return end

@@ -1,0 +1,109 @@
+"""The shaking force and its moment against vector loops, Newton and Euler; its maxima, what is refused."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+from support.dynamics import statics
+from support.shaken import (
+    Put,
+    counterweight_text,
+    drawn,
+    four_bar_text,
+    masses_of,
+    shaken,
+    slider_crank_text,
+    states,
+    vectors,
+    with_weights,
+)
+
+from graphic_tmm.chapters.balance.plan import BALANCE_PLAN
+from graphic_tmm.chapters.balance.table import balance_results
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.drawn import single
+from graphic_tmm.errors import StructureError
+
+EXACT = 1e-9
+TEXTS = (four_bar_text, slider_crank_text)
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_force_and_moment_are_those_of_vector_loops(
+    text: Callable[[random.Random], str], tmp_path: Path, many: Callable[[int, int], int]
+) -> None:
+    for seed in range(many(150, 6)):
+        pick = random.Random(seed)
+        body = text(pick)
+        rod = next(iter(drawn(tmp_path, f"{body}[balance]\n").scene.mechanism.links[1:]))
+        puts = [
+            Put(
+                1, pick.uniform(0.2, 2.0), complex(pick.uniform(-0.1, 0.1), pick.uniform(-0.1, 0.1))
+            ),
+            Put(
+                2, pick.uniform(0.2, 2.0), complex(pick.uniform(-0.1, 0.1), pick.uniform(-0.1, 0.1))
+            ),
+        ]
+        assert rod.number == 2
+        told = "".join(counterweight_text(one, 1.0 + 0j) for one in puts)
+        about = pick.choice("OC") if text is four_bar_text else "O"
+        made = drawn(tmp_path, f'{body}{told}[balance]\nabout = "{about}"\n')
+        balance, mechanism = BALANCE_PLAN.on(made), KINEMATICS_PLAN.on(made).mechanism
+        bare, weighted = balance.wholes
+        links = masses_of(mechanism)
+        for whole, put in ((bare, links), (weighted, [*links, *puts])):
+            forces, moments = vectors(made, whole)
+            due = [shaken(state, put, about) for state in states(made)]
+            largest = max(abs(force) for force, _ in due)
+            reach = max(abs(turning) for _, turning in due)
+            for k, (force, turning) in enumerate(due):
+                assert abs(forces[k] - force) < EXACT * largest, (seed, k)
+                assert abs(moments[k] - turning) < EXACT * reach, (seed, k)
+        results = single(balance_results(made))
+        first = [shaken(state, links, about) for state in states(made)]
+        assert results["shaking_max"][0] == pytest.approx(max(abs(f) for f, _ in first), rel=1e-8)
+        assert results["shaking_moment"][0] == pytest.approx(
+            max(abs(m) for _, m in first), rel=1e-8
+        )
+        both = results["shaking_max"][0], results["shaking_max_balanced"][0]
+        share = 100.0 * (1.0 - both[1] / both[0])
+        assert results["shaking_removed"][0] == pytest.approx(share, abs=0.06)
+
+
+@pytest.mark.parametrize("text", TEXTS)
+def test_frame_bears_weights_and_shaking_force(
+    text: Callable[[random.Random], str], tmp_path: Path
+) -> None:
+    for seed in range(3):
+        pick = random.Random(100 + seed)
+        put = Put(1, 1.3, complex(-0.06, 0.01))
+        made = drawn(tmp_path, f"{text(pick)}{counterweight_text(put, 1.0 + 0j)}[balance]\n")
+        mechanism = with_weights(KINEMATICS_PLAN.on(made).mechanism, [put])
+        weighted = BALANCE_PLAN.on(made).weighted
+        assert weighted is not None
+        forces, _ = vectors(made, weighted)
+        frame, at = mechanism.frame.number, {"x": "B"} if text is slider_crank_text else {}
+        weight = sum(link.mass or 0.0 for link in mechanism.links) * 9.81
+        for force, state in zip(forces, states(made), strict=True):
+            found = statics(
+                mechanism,
+                replace(state, mechanism=mechanism),
+                [],
+                gravity=True,
+                inertia=True,
+                balance="moment",
+                at=at,
+            )
+            borne = sum(r for (_, j), r in found.reactions.items() if j == frame)
+            assert abs(borne + 1j * weight - force) < EXACT * (abs(forces).max() + weight)
+
+
+def test_no_mass_that_moves_is_refused(tmp_path: Path) -> None:
+    body = four_bar_text(random.Random(1))
+    bare = "\n".join(line for line in body.splitlines() if "mass" not in line and "J =" not in line)
+    with pytest.raises(StructureError, match="no mass moves"):
+        drawn(tmp_path, f"{bare}\n[balance]\n")
