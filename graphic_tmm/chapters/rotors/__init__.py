@@ -29,7 +29,7 @@ from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name="rotors",
-    number=15,
+    number=17,
     board=ROTOR,
     places=(Place(ROTOR, 130), Place(f"{ROTOR} given", attends=ROTOR)),
     sections=SECTIONS,
