@@ -10,6 +10,7 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.motion_law import words as why
+from graphic_tmm.chapters.motion_law.operations import error_of_works, rough_graph
 from graphic_tmm.chapters.motion_law.over_angle import Both, OverAngle
 from graphic_tmm.chapters.motion_law.task import SPEED
 from graphic_tmm.chapters.motor import operations_run as op
@@ -44,6 +45,9 @@ class ByMotor(OverAngle):
 
     inertia: Inertia
     motor: DrawnMotor | None
+    moment_axes: Axes
+    moment_points: Boundaries
+    moment_curve: Mark
     flywheel: Mark | None = None
     work: Both
     work_mu: Mark
@@ -117,11 +121,20 @@ class ByMotor(OverAngle):
         self.draft.open(SPEED)
         return self.draft.draw(op.unevenness, "δ", *omega, row=self.row)
 
-    def coarseness(self, omega: Both) -> Mark | None:
-        """Calculate how much the motor's moment changes within an interval."""
-        if self.motor is None:
+    def error(self, energies: Mark) -> Mark | None:
+        """Calculate by how much ω is off for the number of positions; None where they cannot be halved."""
+        row, own = self.row, self.inertia
+        stride = next((s for s in range(2, row // 4 + 1) if row % s == 0), None)
+        if stride is None:
             return None
-        motor, own = self.motor, self.inertia
-        self.draft.open(RUN)
-        used = (motor.curve, omega.row, own.read, self.base.length, motor.mu_M, motor.mu_omega)
-        return self.draft.draw(op.coarseness, "q", *used, own.mu, self.base.mu, row=self.row)
+        draft = self.draft
+        draft.open(RUN)
+        points = self.moment_points.points, self.base.length
+        rough = draft.draw(rough_graph, "(k–k)′", *points, row=row, stride=stride)
+        works = self.moment_curve, rough, energies, self.moment_axes.mu, self.base.mu
+        error = draft.draw(error_of_works, "ξ_A", *works, unit="%", row=row, stride=stride)
+        if self.motor is None:
+            return error
+        run = (*self.by_motor(self.motor, own.read, own.mu, own.start), energies)
+        steps = draft.draw(op.error_of_steps, "ξ_M", *run, unit="%", row=row, stride=stride)
+        return draft.draw(added, "ξ", error, steps, unit="%")

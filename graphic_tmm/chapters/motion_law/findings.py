@@ -15,8 +15,8 @@ from graphic_tmm.readers.findings import Warned
 NEAR = 1e-6
 """A motion that ends nearer to the end of the base than this share of it goes to the end."""
 
-COARSE = 0.5
-"""Δφ·|dM/dω|/(J·ω) up to which a step by the mean moment tells the speed; from 2 on ω swings to and fro."""
+COARSE = 2.0
+"""An error of ω, %, up to which the number of positions is large enough: about that of an honest hand."""
 
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
@@ -36,13 +36,13 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
             "positions behind",
             angle=number(math.degrees(far), language, 4), time=number(drawn.value(law.time), language, 3),
         )  # fmt: skip
-    coarse = drawn.value(law.coarse) if law.coarse is not None else 0.0
-    if coarse > COARSE:
+    error = drawn.value(law.error) if law.error is not None else 0.0
+    if error > COARSE:
+        count = drawn.project.count // law.turns
         yield _(
-            "motion_law: within an interval the motor's moment changes too much for {count} positions a turn: "
-            "take {due} or more",
-            count=drawn.project.count // law.turns,
-            due=math.ceil(drawn.project.count // law.turns * coarse / COARSE),
+            "motion_law: with {count} positions a turn ω may be off by {error} %: take {due} or more",
+            count=count, error=number(error, language, 2),
+            due=math.ceil(count * math.sqrt(error / COARSE)),
         )  # fmt: skip
     yield from assumed(drawn)
 

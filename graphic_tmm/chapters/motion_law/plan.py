@@ -63,7 +63,7 @@ class MotionLaw:
 
     ``omega``: 1/s at positions and at the end of the base (Number). ``rest``: where the motion ends (Point on
     the graph of the energy); ``angle``, ``time``: how far and how long it goes until there (Number). ``rays``:
-    those of the diagram, ``curve`` through its points.
+    those of the diagram, ``curve`` through its points. ``error``: by so much ω may be off, %.
     """
 
     order: MotionLawTask
@@ -83,7 +83,7 @@ class MotionLaw:
     step: DrawnStep | None
     run_up: Mark | None
     delta: Mark | None
-    coarse: Mark | None
+    error: Mark | None
     flywheel: Mark | None
 
 
@@ -145,7 +145,7 @@ def draw_law(
         step,
         law.run_up(),
         law.unevenness(omega),
-        law.coarseness(omega),
+        law.error(law.known.row),
         law.flywheel,
     )
 
@@ -156,6 +156,7 @@ class _Law(ByMotor):
     points: Both
     curve: Mark
     ray_lines: Both
+    known: Both
     rest: Mark
 
     # ------------------------------------------------------------ what acts, and its work
@@ -255,7 +256,7 @@ class _Law(ByMotor):
         draft = self.draft
         draft.open(ENERGY)
         mu = draft.scale("μ_T", "J/mm")
-        known = self._known()
+        self.known = known = self._known()
         heights = self.both(to_board, "y_T", (known.row, mu), (known.end, mu))
         axes = graphs.draw_axes(draft, ENERGY, self.base, mu)
         kept = draft.draw(op.until_rest, "y′", heights.row, row=self.row)

@@ -37,6 +37,7 @@ def law_marks(drawn: Drawn) -> dict[str, Mark]:
         "motion_step": law.step.omega if law.step is not None else None,
         "motion_delta": law.delta,
         "motion_flywheel": law.flywheel,
+        "motion_error": law.error,
     }
     return {name: mark for name, mark in marks.items() if mark is not None}
 
@@ -52,7 +53,7 @@ TABLE = Tabled(columns=law_columns, results=law_results, marks=law_marks)
 
 def _views(project: Project) -> dict[str, list[str]]:
     law = LAW_PLAN.on(project)
-    motor = [RUN, STEP] if law.motor is not None else []
+    motor = [RUN] if law.motor is None else [RUN, STEP]
     return {MOTION_LAW: [*(chart.view for chart in law.charts), *motor]}
 
 

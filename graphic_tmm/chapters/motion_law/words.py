@@ -18,6 +18,7 @@ CAPTIONS: dict[str, str] = {
     "motion-time": said("Time"),
     "motion-loads": said("Reduced moment of the loads"),
     "motion-loads-work": said("Work of the loads"),
+    "motion-calculation": said("Calculations of the motion"),
     "table motion_law": said("Law of motion, by positions"),
     "motion_angle": said("φ at the end of the motion"),
     "motion_time": said("t at the end of the motion"),
@@ -27,6 +28,7 @@ CAPTIONS: dict[str, str] = {
     "motion_delta": said("δ of the steady cycle"),
     "motion_flywheel": said("J_{F}"),
     "motion_step": said("ω by the crossing drawn"),
+    "motion_error": said("error of ω by the number of positions"),
     "motion_speed": said("ω at the end of the base"),
 }
 

@@ -47,11 +47,6 @@ class Motor(NamedTuple):
         u, (p, m, bend, twist) = place - first, self.cubic(first)
         return np.asarray(p + u * (m + u * (bend + u * twist)))
 
-    def slope(self, omega: Reals) -> Reals:
-        """Return how much the moment changes with the speed, N·m·s."""
-        h = self.omega[:, 1:2] / 2.0
-        return np.asarray((self.at(omega + h) - self.at(omega - h)) / (2.0 * h))
-
 
 def motor_of(curve: Curve, mu_M: Reals, mu_omega: Reals) -> Motor:
     """Return a characteristic that is drawn, to its scales."""

@@ -24,6 +24,8 @@ from graphic_tmm.language.said import said
 NOT_NEEDED = "no flywheel is needed, or none makes the cycle so even"
 CLOSED = 1e-3
 """A run-up is steady where a turn changes the speed by less than this share."""
+SLOW = 0.2
+"""Below this share of the greatest speed an error is told of so much: near rest any is large of its own."""
 MOST = 200
 """Turns after which a run-up is given up."""
 
@@ -273,19 +275,29 @@ def turns_to_run_up(
 @operation(
     symbol=FREE,
     across=True,
+    fails=WHOLE_ROW,
     why=said(
-        "Where the motor's moment would change within an interval by as much as gives the machine its speed "
-        "the straight mean of both ends tells little."
+        "Wider steps err by the square of their width more; from rest, where ω grows as a root, by their width."
     ),
 )
-def coarseness(
-    motor: Curve, of: Number, inertia: Length, base: Length,
-    mu_M: Number, mu_omega: Number, mu_J: Number, mu_phi: Number, *, row: int,
+def error_of_steps(
+    motor: Curve, start: Number, work: Length, end: Length, inertia: Length, base: Length,
+    mu_M: Number, mu_omega: Number, mu_A: Number, mu_J: Number, mu_phi: Number, of: Number,
+    *, row: int, stride: int,
 ) -> Number:  # fmt: skip
-    """Of the speeds {of} find the greatest share {it} = Δφ·|dM/dω|/(J·ω), by the motor's curve {motor}."""
-    own, each = motor_of(motor, mu_M, mu_omega), (base * mu_phi)[:, :1] / row
-    omega, heavy = alike(of[:, :row], (inertia * mu_J)[:, :row])
-    share = each * np.abs(own.slope(omega)) / (heavy * np.where(omega > 0.0, omega, np.nan))
+    """Go from {start} by {motor} over several intervals at a time: from that and {of}, ω errs by {it} %."""
+    values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
+    own = _turns(values, motor_of(motor, mu_M, mu_omega), row)
+    run = islice(own.thinned(stride).go(start[:, :1]), row // stride - 1)
+    rough, heavy = (
+        np.concatenate(alike(*(omega for omega, _ in run)), axis=1),
+        own.inertia[:, stride:row:stride],
+    )
+    omega = np.sqrt(np.maximum(2.0 * of[:, stride:row:stride] / heavy, 0.0))
+    most = np.nanmax(omega, axis=1, keepdims=True, initial=0.0)
+    size = np.where(most > 0.0, np.maximum(omega, SLOW * most), np.nan)
+    wider = np.where(start[:, :1] > 0.0, stride**2 - 1.0, stride - 1.0)
+    share = 100.0 * np.abs(rough - omega) / size / wider
     return Number(np.nanmax(share, axis=1, keepdims=True, initial=0.0))
 
 

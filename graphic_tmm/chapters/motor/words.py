@@ -25,7 +25,6 @@ WORDS = Named(
     captions={
         "chapter motor": said("Motor"),
         "motor": said("Characteristic of the motor on the crank"),
-        "motion-calculation": said("Run-up by the motor"),
         "motion-step": said("Crossing of one interval"),
     },
     plans=(MOTOR,),
