@@ -100,13 +100,13 @@ def states(made: Drawn) -> list[State]:
     """Return every position by vector loops; what was drawn only says which assembly is meant."""
     plans = KINEMATICS_PLAN.on(made)
     mechanism, mu = plans.mechanism, made.value(plans.mu_l)
-    pins = sorted(mechanism.pins)
+    letters = sorted({k for link in mechanism.by_number.values() for k in link.points})
     origin = mechanism.frame.points[plans.structure.origin]
     found = []
     for k, angle in enumerate(made.project.coordinates):
         assert angle is not None
         places = {}
-        for letter in pins:
+        for letter in letters:
             row = np.broadcast_to(made.reading[plans.positions.point(letter)][0], len(made.names))
             places[letter] = complex(row[k]) * mu + origin
         found.append(solve_from_points(mechanism, angle, places))

@@ -14,8 +14,18 @@ radius and its angle to the link, its acceleration from similarity on the plan o
 laid on behind those of the links, so that one polygon tells Φ without and with counterweights. Their weight
 on the frame is no part of Φ; a mechanism whose Φ is nothing shakes by its moment still.
 
-Draws: place ``balance``: the polar diagram, the graph of the moment, the mechanism with its counterweights,
-tables. Builds on kinematics (plans of positions and accelerations) and on forces (inertia forces, the polygon).
+Counterweights are found by replacing masses. The mass m of a coupler AB is put into its pins, m·BS/AB at A and
+m·AS/AB at B: sum and common centre stay, so the inertia forces do. Off the line AB the same lengths hold, and
+the static moments of both are turned by the angles at A and B. A link that turns about a pin of the frame then
+bears only masses whose static moments, m·r, turn with it: laid off one after another they are a polygon, whose
+closing side is the static moment of the counterweight, m_c·r_c, and shows where it stands. On crank and rocker
+of a four-bar that balances all. A slider's mass is drawn to the crank's pin by a counterweight on the rod, and
+from there to the pivot by one on the crank. Of a partial balance the crank's counterweight answers what is put
+into its pin and a share k of what slides: along the guide (1 − k) of that stays, across it k comes in.
+
+Draws: place ``balance``: polygons of static moments, the polar diagram, the graph of the moment, the mechanism
+with its counterweights, tables. Builds on kinematics (plans of positions and accelerations) and on forces
+(inertia forces, the polygon).
 
 Sources: Артоболевский И. И., Теория механизмов и машин (уравновешивание масс звеньев на фундаменте);
 Попов С. А., Тимофеев Г. А., Курсовое проектирование (главный вектор и главный момент сил инерции).

@@ -7,11 +7,11 @@ import math
 from typing import NamedTuple
 
 from graphic_tmm.board.operations.formulas import to_board
-from graphic_tmm.board.operations.instruments import lay_off, measure
+from graphic_tmm.board.operations.instruments import incline, lay_off, measure
 from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.balance import words as why
-from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, Counterweight
+from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, OPPOSITE, Counterweight
 from graphic_tmm.chapters.kinematics.bodies import PinLeg, dyads, incline_by
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
@@ -76,8 +76,8 @@ def arm_of(plans: KinematicPlans, link: int) -> Arm:
     return arms[link]
 
 
-def draw_weight(bench: Bench, plans: KinematicPlans, one: Counterweight, index: str) -> Weight:
-    """Draw a counterweight on its link in all positions.
+def draw_given(bench: Bench, plans: KinematicPlans, one: Counterweight) -> Weight:
+    """Draw a counterweight that is given on its link in all positions.
 
     Raises
     ------
@@ -85,19 +85,33 @@ def draw_weight(bench: Bench, plans: KinematicPlans, one: Counterweight, index: 
         If the link does not turn about a pin.
     """
     draft, arm, body = bench.draft, arm_of(plans, one.link), plans.positions.bodies[one.link]
+    assert one.mass is not None
+    assert one.radius is not None
     draft.open(COUNTERWEIGHTS)
-    own, letter = body.link.points, f"K_{{{index}}}"
+    own = body.link.points
     way = math.degrees(cmath.phase(own[arm.pin] - own[arm.pivot])) if arm.pin else body.angle
-    pivot = body.marks[arm.pivot]
-    name = f"{arm.pivot}{letter}"
-    line = incline_by(
-        draft, name, pivot, body.axis, way - body.angle + one.angle, why.COUNTERWEIGHT_LINE
-    )
-    mass = draft.take(Number, f"m_{{c{index}}}", one.mass, "kg")
-    radius = draft.take(Number, f"r_{{c{index}}}", one.radius, "m")
+    angle = way - body.angle + (OPPOSITE if one.angle is None else one.angle)
+    mass = draft.take(Number, f"m_{{c{one.link}}}", one.mass, "kg")
+    radius = draft.take(Number, f"r_{{c{one.link}}}", one.radius, "m")
+    return draw_weight(bench, plans, one.link, (mass, radius, angle))
+
+
+def draw_weight(
+    bench: Bench, plans: KinematicPlans, link: int, of: tuple[Mark, Mark, Mark | float]
+) -> Weight:
+    """Draw a counterweight in all positions; ``of``: its mass, its radius, its angle from the link's axis."""
+    draft, body, (mass, radius, angle) = bench.draft, plans.positions.bodies[link], of
+    draft.open(COUNTERWEIGHTS)
+    pivot, letter = body.marks[arm_of(plans, link).pivot], f"K_{{{link}}}"
+    name = f"{pivot.letter}{letter}"
+    if isinstance(angle, float):
+        line = incline_by(draft, name, pivot, body.axis, angle, why.COUNTERWEIGHT_LINE)
+    else:
+        uses = (pivot, body.axis, angle)
+        line = draft.draw(incline, f"({name})", *uses, why=why.COUNTERWEIGHT_LINE)
     length = draft.draw(to_board, name, radius, draft.mu_l)
     at = draft.draw(lay_off, letter, line, length, free=True, why=why.COUNTERWEIGHT_AT)
-    return Weight(one.link, index, mass, radius, pivot, at)
+    return Weight(link, str(link), mass, radius, pivot, at)
 
 
 def image_of(bench: Bench, plans: KinematicPlans, weight: Weight) -> Mark:

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Sequence
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.balance.counterweights import Weight
+from graphic_tmm.chapters.balance.masses import Side, Unbalance
 from graphic_tmm.chapters.balance.plan import Balance
 from graphic_tmm.chapters.balance.task import FORCE
 from graphic_tmm.chapters.forces.ink_polygons import LEAST, bar
@@ -24,6 +25,10 @@ DOT = 0.6
 """The radius of the dot at the end of a shaking force, mm."""
 WEIGHT = 2.4
 """The radius of the sign of a counterweight, mm."""
+SMALL = 3.0
+"""A polar diagram that reaches no farther from its pole is a point, mm: its caption tells what is left."""
+UNIT = "kg·m"
+"""The unit of static moments."""
 PENS = ("main", "dashed")
 """The hodographs without and with counterweights."""
 
@@ -67,25 +72,58 @@ def _letters(
 ) -> Iterator[Wanted]:
     high = on.heights
     for k, one in enumerate(made.wholes):
+        if seen.fixed_number(one.top) < SMALL:
+            continue  # the diagram has shrunk to a point: there is nothing to number
         spots = [
             Named(seen.point(one.end, p), f"{names[p]}{'′' * k}", (one.length.slot,), p)
             for p in seen.positions
         ]
         yield from lettered(shared(spots, LEAST), high.number, away_from=0j)
     yield Wanted("o", 0j, high.point, 1.0, of=(made.pole.slot,))
-    for letter, tail, head in made.sides:
-        a, b = seen.point(tail, at), seen.point(head, at)
+    yield from _side_letters(on, seen, made.sides, at)
+
+
+def draw_unbalance(on: Subject, one: Unbalance) -> Drawing:
+    """Return the static moments of a link; the counterweight's, in a main line, closes them."""
+    seen, high = on.seen((one.view,), [0]), on.heights
+    heads, mu = {head: letter for letter, _, head in one.sides}, seen.fixed_number(one.mu)
+
+    def side(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        start, end = seen.line(step.uses[0], k)[0], seen.point(step.it, k)
+        if finite(start, end) and abs(end - start) >= LEAST:
+            yield from told_arrow(start, end, "medium", heads[step.it], mu, UNIT)
+
+    def closing(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        start, end = (seen.point(mark, k) for mark in step.uses)
+        if finite(start, end) and abs(end - start) >= LEAST:
+            yield from told_arrow(start, end, "main", one.moment.letter, mu, UNIT)
+
+    stays = {*heads, one.closing}
+    rules = {lay_off.name: side}
+    manner = Manner(rules, lambda seen, step: step.it in stays, {one.closing: closing})
+    traces = figure(seen, manner)
+    ends = [*one.sides, (one.moment.letter, one.closing_ends[0], one.closing_ends[1])]
+    wanted = list(_side_letters(on, seen, ends, 0))
+    corners = [Named(0j, "o", (one.start.slot,))]
+    corners += [Named(seen.point(head, 0), head.name, (head.slot,)) for head in heads]
+    wanted += lettered(shared(corners, LEAST), high.number)
+    return traces.drawing(on, traces.staying, wanted)
+
+
+def _side_letters(on: Subject, seen: Seen, sides: Sequence[Side], k: int) -> Iterator[Wanted]:
+    for letter, tail, head in sides:
+        a, b = seen.point(tail, k), seen.point(head, k)
         if finite(a, b) and abs(b - a) >= LEAST:
-            out = 1j * (b - a) / abs(b - a)
-            text = bar(symbol(letter, on.language))
-            yield Wanted(text, (a + b) / 2, high.point, 1.0, out, (head.slot,), position=at)
+            out, text = 1j * (b - a) / abs(b - a), bar(symbol(letter, on.language))
+            at = (a + b) / 2
+            yield Wanted(text, at, on.heights.point, 1.0, out, (head.slot,), position=k)
 
 
 def weight_strokes(seen: Seen, weights: Sequence[Weight], k: int) -> Iterator[Ink]:
     """Yield the counterweights in a position: each a filled circle, and the arm from its pivot."""
     for one in weights:
         pivot, at = seen.point(one.pivot, k), seen.point(one.at, k)
-        if finite(pivot, at):
+        if finite(pivot, at) and seen.number(one.mass, k) > 0.0:
             strokes = [line("main", pivot, at), circle("main", at, WEIGHT, filled=True)]
             yield from body(strokes, "counterweight", [one.pivot, one.at], k)
 
@@ -94,6 +132,6 @@ def weight_letters(on: Subject, seen: Seen, weights: Sequence[Weight], k: int) -
     """Yield the letters of the counterweights in a position."""
     for one in weights:
         at = seen.point(one.at, k)
-        if finite(at):
+        if finite(at) and seen.number(one.mass, k) > 0.0:
             text = symbol(one.at.letter, on.language)
             yield Wanted(text, at, on.heights.point, WEIGHT, of=(one.at.slot,), position=k)

@@ -5,7 +5,7 @@ With counterweights their inertia forces are laid on behind those of the links: 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from operator import attrgetter
 from typing import NamedTuple
 
@@ -22,7 +22,13 @@ from graphic_tmm.board.operations.supports import farthest
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.chapters.balance import words as why
-from graphic_tmm.chapters.balance.counterweights import Weight, draw_weight, image_of
+from graphic_tmm.chapters.balance.counterweights import (
+    Weight,
+    draw_given,
+    draw_weight,
+    image_of,
+)
+from graphic_tmm.chapters.balance.masses import Unbalance, replace_masses
 from graphic_tmm.chapters.balance.operations import removed_percent
 from graphic_tmm.chapters.balance.task import (
     ASKED,
@@ -83,6 +89,7 @@ class Balance:
 
     ``bare``: of the links; ``weighted``: with the counterweights, ``removed``: what these take away, %; None
     where there are none. ``about``: the letter of the point of the moments; ``base``, ``chart``: their graph.
+    ``unbalances``: of links whose counterweights were found.
     """
 
     order: BalanceTask
@@ -96,6 +103,7 @@ class Balance:
     weights: tuple[Weight, ...]
     base: Base
     chart: Chart
+    unbalances: tuple[Unbalance, ...] = ()
 
     @property
     def wholes(self) -> tuple[Whole, ...]:
@@ -120,7 +128,12 @@ def record(bench: Bench) -> Balance | None:
     plans = KINEMATICS_PLAN.on(bench)
     about = order.about or plans.structure.origin
     at = plans.positions.bodies[plans.mechanism.frame.number].marks[about]
-    weights = tuple(draw_weight(bench, plans, one, str(one.link)) for one in order.counterweights)
+    found = replace_masses(bench, plans, order) if order.method is not None else ()
+    if order.method is None:
+        weights = [draw_given(bench, plans, one) for one in order.counterweights]
+    else:
+        sized = ((one.link, (one.mass, one.radius, one.angle)) for one in found)
+        weights = [draw_weight(bench, plans, link, of) for link, of in sized]
     pulls, couples = _links(bench.draft, plans, at)
     if not pulls:
         says = said(
@@ -129,7 +142,8 @@ def record(bench: Bench) -> Balance | None:
         raise StructureError(says, BALANCE, head=BALANCE)
     more = [pull for one in weights for pull in _of_weight(bench, plans, one, at)]
     bench.tell(ACCELERATIONS, range(len(bench.names)))
-    return _draw(bench, plans, order, about, (pulls, couples, more, weights))
+    made = _draw(bench, plans, order, about, (pulls, couples, more, tuple(weights)))
+    return replace(made, unbalances=found)
 
 
 def _links(draft: Draft, plans: KinematicPlans, at: Mark) -> tuple[list[Pull], list[Mark]]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.balance.plan import BALANCE_PLAN
 from graphic_tmm.chapters.balance.task import ASKED, BALANCE, FORCE, MOMENT
 from graphic_tmm.chapters.kinematics.task import POSITIONS
@@ -49,23 +50,41 @@ SIZES = Sizing(
 )
 
 
-def reach(project: Project, doubts: Doubts) -> float:
-    """Return how far the polar diagram reaches from its pole and across, N: that of the links alone."""
+STATIC = 90.0
+"""The most that a polygon of static moments takes on an A1, mm."""
+_STATIC = said(
+    "A polygon of static moments takes {room}: the side that closes it is measured.",
+    room=usual_room(STATIC),
+)
+
+
+def reach(project: Project, doubts: Doubts) -> dict[Mark, float]:
+    """Return, by μ, how far the polar diagram reaches (N), and the polygons of static moments (kg·m)."""
     made = BALANCE_PLAN.on(project)
-    ends = [one.end for one in made.wholes]
-    reading = unscaled(project, doubts, ends)
-    return extent([np.array([0j]), *(np.ravel(reading[end]) for end in ends)])
+    ends = {made.mu: [one.end for one in made.wholes]}
+    ends |= {one.mu: [head for _, _, head in one.sides] for one in made.unbalances}
+    reading = unscaled(project, doubts, [end for some in ends.values() for end in some])
+    return {
+        mu: extent([np.array([0j]), *(np.ravel(reading[end]) for end in some)])
+        for mu, some in ends.items()
+    }
 
 
 def _factors(sized: Sized) -> Iterator[ScaleFactor]:
     made, far = BALANCE_PLAN.on(sized), sized.reach[BALANCE]
     room = sized.sizes[BALANCE]
-    yield ScaleFactor(made.mu, "Φ_{max}", far, room, made.order.mu, why=_POLAR)
+    yield ScaleFactor(made.mu, "Φ_{max}", far[made.mu], room, made.order.mu, why=_POLAR)
+    for one in made.unbalances:
+        yield ScaleFactor(one.mu, "D_{max}", far[one.mu], room * STATIC / POLAR, why=_STATIC)
 
 
 SCALES = ScaleFactors(
     reach=reach,
     factors=_factors,
     scales=lambda fitting: fitting.stretched(BALANCE, [("balance.base", MOMENT, roles.BASE)]),
-    keys=lambda project: {FORCE: "mu_Phi", MOMENT: "mu_M_Phi"},
+    keys=lambda project: {
+        FORCE: "mu_Phi",
+        MOMENT: "mu_M_Phi",
+        **{one.view: f"mu_D_{one.link}" for one in BALANCE_PLAN.on(project).unbalances},
+    },
 )

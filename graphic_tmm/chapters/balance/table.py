@@ -6,7 +6,15 @@ from collections.abc import Iterator, Mapping
 
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.chapters.balance.plan import BALANCE_PLAN
-from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, FORCE, INERTIA, MOMENT
+from graphic_tmm.chapters.balance.task import (
+    BALANCE,
+    COUNTERWEIGHTS,
+    FORCE,
+    INERTIA,
+    MASSES,
+    MOMENT,
+)
+from graphic_tmm.chapters.balance.words import WEIGHT
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.symbols import plain, symbol
@@ -38,6 +46,9 @@ def balance_marks(drawn: Drawn) -> Mapping[str, Mark]:
         found["shaking_max_balanced"] = made.weighted.most
         found["shaking_moment_balanced"] = made.weighted.greatest
         found["shaking_removed"] = made.removed
+    for one in made.weights:
+        found[f"{WEIGHT}mass_{one.link}"] = one.mass
+        found[f"{WEIGHT}radius_{one.link}"] = one.radius
     return found
 
 
@@ -50,8 +61,10 @@ TABLE = Tabled(columns=balance_columns, results=balance_results, marks=balance_m
 
 
 def _views(project: Project) -> dict[str, list[str]]:
-    weights = [COUNTERWEIGHTS] if BALANCE_PLAN.on(project).weights else []
-    return {BALANCE: [*weights, INERTIA, FORCE, MOMENT]}
+    made = BALANCE_PLAN.on(project)
+    weights = [COUNTERWEIGHTS] if made.weights else []
+    found = [MASSES, *(one.view for one in made.unbalances)] if made.unbalances else []
+    return {BALANCE: [*found, *weights, INERTIA, FORCE, MOMENT]}
 
 
 def vectors_of(drawn: Drawn, language: str) -> str:

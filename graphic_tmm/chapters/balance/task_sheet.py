@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.balance.task import ASKED, BALANCE
+from graphic_tmm.chapters.balance.task import ASKED, BALANCE, FULL, HALF, PARTIAL
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet
@@ -12,11 +12,17 @@ from graphic_tmm.scene.records import Scene
 
 
 def given(scene: Scene) -> Iterator[Given]:
-    """Yield the masses and radii of the counterweights."""
+    """Yield what is known of the counterweights, the share of the sliding masses."""
     order = ASKED.of(scene)
-    for one in order.counterweights if order is not None else ():
-        yield Given(f"m_{{c{one.link}}}", one.mass, "kg")
-        yield Given(f"r_{{c{one.link}}}", one.radius, SIZE)
+    if order is None:
+        return
+    if order.method == PARTIAL:
+        yield Given("k", HALF if order.share is None else order.share)
+    for one in order.counterweights:
+        if one.mass is not None:
+            yield Given(f"m_{{c{one.link}}}", one.mass, "kg")
+        if one.radius is not None:
+            yield Given(f"r_{{c{one.link}}}", one.radius, SIZE)
 
 
 def asks(scene: Scene, language: str) -> Iterator[str]:
@@ -27,7 +33,9 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     _ = speaking(language)
     yield _(_POLAR)
     yield _(_MOMENT)
-    if order.counterweights:
+    if order.method is not None:
+        yield _(_METHODS[order.method])
+    if order.counterweights or order.method is not None:
         yield _(_WITH)
 
 
@@ -36,6 +44,14 @@ _POLAR = said(
     "as a polar diagram."
 )
 _MOMENT = said("The moment of the shaking force about a point of the frame is drawn over the turn.")
+_METHODS = {
+    FULL: said(
+        "Counterweights are found by replacing masses so that the centre of all masses stands still."
+    ),
+    PARTIAL: said(
+        "A counterweight on the crank is found by replacing masses, with the share k of the sliding ones."
+    ),
+}
 _WITH = said("The same is drawn with the counterweights; what they take away is told.")
 
 TASK_SHEET = TaskSheet(given=given, wanted={BALANCE: asks})

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.chapters.balance.ink import draw_polar, weight_letters, weight_strokes
+from graphic_tmm.chapters.balance.ink import (
+    draw_polar,
+    draw_unbalance,
+    weight_letters,
+    weight_strokes,
+)
+from graphic_tmm.chapters.balance.masses import Unbalance
 from graphic_tmm.chapters.balance.plan import BALANCE_PLAN, Balance
 from graphic_tmm.chapters.balance.scales import SCHEME
 from graphic_tmm.chapters.balance.table import (
@@ -13,6 +19,7 @@ from graphic_tmm.chapters.balance.table import (
     moment_title,
 )
 from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, FORCE, MOMENT
+from graphic_tmm.chapters.balance.words import called
 from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
@@ -20,6 +27,7 @@ from graphic_tmm.chapters.kinematics.task import POSITIONS
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import small, unit
@@ -39,7 +47,8 @@ def balance_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     if made is None:
         return []
     language, high = drawn.scene.language, heights(drawn.scene, BALANCE)
-    schemes = [_scheme(drawn, made, lettered)] if made.weights else []
+    schemes = [_unbalance(drawn, one, lettered) for one in made.unbalances]
+    schemes += [_scheme(drawn, made, lettered)] if made.weights else []
     words = captions(language)
     rows = [
         [words[name], number(value, language, 3 if of == "%" else 4), unit(of, language)]
@@ -52,6 +61,17 @@ def balance_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         result_table(BALANCE, tuple(balance_columns(drawn)), drawn.names, language, heights=high),
         results("table-balance-results", words[BALANCE], rows, language, high),
     ]
+
+
+def _unbalance(drawn: Drawn, one: Unbalance, lettered: bool) -> Drawing:
+    language = drawn.scene.language
+    on = subject(drawn, called(one.view, speaking(language)), BALANCE)
+    figure = f"{number(drawn.value(one.moment), language, 4)} {unit('kg·m', language)}"
+    lines = (
+        mu_text(drawn.scales[one.view], language),
+        f"{symbol(one.moment.name, language)} = {figure}",
+    )
+    return with_caption(draw_unbalance(on, one), on, lettered, *lines)
 
 
 def worst(drawn: Drawn, made: Balance) -> int:
@@ -71,6 +91,9 @@ def _polar(drawn: Drawn, made: Balance, lettered: bool) -> Drawing:
         if np.isfinite(most := drawn.value(one.most)):
             figure, largest = number(most, language, 4), symbol(one.most.name, language)
             lines.append(f"{largest} = {figure} {unit('N', language)}, {words[which]}")
+            if one is made.weighted:
+                left = number(drawn.value(one.top), language)
+                lines.append(f"{one.top.name} = {left} {unit('mm', language)}")
     return with_caption(view, on, lettered, *lines)
 
 

@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, FORCE, INERTIA, MOMENT
+from graphic_tmm.chapters.balance.task import (
+    BALANCE,
+    COUNTERWEIGHTS,
+    FORCE,
+    INERTIA,
+    MASSES,
+    MOMENT,
+    UNBALANCE,
+)
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
 CAPTIONS: dict[str, str] = {
     BALANCE: said("Balance of the mechanism"),
     INERTIA: said("Inertia forces"),
+    MASSES: said("Replacing masses"),
     COUNTERWEIGHTS: said("Counterweights"),
     FORCE: said("Polar diagram of the shaking force"),
     MOMENT: said("Moment of the shaking force about {point}"),
@@ -23,17 +33,47 @@ CAPTIONS: dict[str, str] = {
     "shaking_moment_balanced": said("largest moment with counterweights"),
 }
 
+WEIGHT = "counterweight_"
+"""How names of results of counterweights begin: counterweight_mass_1."""
+
+
+def called(view: str, speech: Speech) -> str:
+    """Return what the static moments of a link are called; "" for other views."""
+    kind, _, link = view.rpartition(" ")
+    return speech(_UNBALANCE, link=link) if kind == UNBALANCE else ""
+
+
+def result(name: str, speech: Speech) -> str:
+    """Return what a result of a counterweight is called; "" for other results."""
+    of, _, link = name.removeprefix(WEIGHT).partition("_")
+    return speech(_SIZES[of], link=link) if name.startswith(WEIGHT) and of in _SIZES else ""
+
+
+_UNBALANCE = said("Static moments of link {link}")
+_SIZES = {
+    "mass": said("mass of the counterweight on link {link}"),
+    "radius": said("radius of the counterweight on link {link}"),
+}
+
 SYMBOLS = (
     ("Φ", said("shaking force"), "N"),
     ("M_Φ", said("moment of the shaking force"), "N·m"),
     ("m_{c1}", said("mass of the counterweight on link 1"), "kg"),
     ("r_{c1}", said("radius of the counterweight on link 1"), "m"),
+    ("m_{2A}", said("mass that replaces link 2 at A"), "kg"),
+    ("D_{2A}", said("static moment"), "kg·m"),
+    ("μ_D", said("scale factor of static moments"), "(kg·m)/mm"),
     ("μ_Φ", said("scale factor of shaking forces"), "N/mm"),
 )
 """Its letters in a note: what they stand for, their units."""
 
 WORDS = Named(
-    captions=CAPTIONS, plans=(BALANCE,), sources=("artobolevsky", "popov"), symbols=SYMBOLS
+    captions=CAPTIONS,
+    called=called,
+    result=result,
+    plans=(BALANCE,),
+    sources=("artobolevsky", "popov"),
+    symbols=SYMBOLS,
 )
 
 SHAKING = said(
@@ -53,6 +93,14 @@ MOMENTS_SUM = said(
     "counter-clockwise positive."
 )
 BOTH_SUMS = said("The moments of the counterweights are added to those of the links.")
+SIDE = said(
+    "The static moments are laid off one after another, each along the way from the pin to its mass, from the "
+    "axis of the link on."
+)
+CLOSES = said(
+    "The side that closes the polygon is the static moment that is missing: that of the counterweight."
+)
+AGAINST = said("The closing side shows on which side of the link, and at which angle, it stands.")
 COUNTERWEIGHT_LINE = said(
     "The counterweight is fixed in its link: its line stands at one angle to the link in all positions."
 )
