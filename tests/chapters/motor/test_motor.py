@@ -91,11 +91,7 @@ def test_the_error_that_is_told_holds(tmp_path: Path, many: Callable[[int, int],
 
 
 def test_the_turns_of_a_run_up_are_counted(tmp_path: Path) -> None:
-<<<<<<< HEAD
-    """Until one changes the speed by less than 0.1 %: by the equation of motion, at any count."""
-=======
     """Until one changes the speed by less than 0.1 %: by the equation of motion, at few positions and many."""
->>>>>>> 38abb3ae (Tell by how much ω may be off for the number of positions, by the works and steps of every other one)
     for seed, count in ((1, 24), (3, 12), (5, 72)):
         of, _ = driven(seed)
         made = drawn(tmp_path, of, count)
