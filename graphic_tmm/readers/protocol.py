@@ -16,8 +16,8 @@ from graphic_tmm.drawn import Drawn, DrawnScene
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.fitting.choice import SCALES, Choices, choices
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.synthesis import SynthesisLog, rocker
-from graphic_tmm.project import Project
+from graphic_tmm.mechanism.synthesis import SynthesisLog, synthesis_log
+from graphic_tmm.project import Project, own_boards
 from graphic_tmm.readers.narration import ProtocolLine
 from graphic_tmm.readers.narration import protocol as narrate
 from graphic_tmm.scene.captions import Named, captions, plans_named, view_name
@@ -87,7 +87,7 @@ def plans() -> tuple[str, ...]:
     """Return the plans that have a protocol, in their order."""
     in_turn = sorted(chapters(), key=lambda one: Named.of(one).rank or 10 * one.number)
     found = dict.fromkeys(plan for one in in_turn for plan in Named.of(one).plans)
-    return (*BESIDE, *found)
+    return tuple(dict.fromkeys((*BESIDE, *found)))
 
 
 def steps_of(
@@ -231,9 +231,13 @@ def _printed(lines: Iterable[ProtocolLine], reasons: str) -> Iterator[str]:
 
 
 def _views_of(drawn: Drawn, plan: str) -> list[str]:
-    """Return the views of the board that a plan is drawn in, in the order of the log."""
+    """Return the views of the board that a plan is drawn in, in the order of the log.
+
+    What another board draws is told there.
+    """
     if plan in BESIDE:
-        return [plan]
+        there = (one for board in own_boards(drawn.scene) for one in chapters(board))
+        return [] if any(plan in Named.of(one).plans for one in there) else [plan]
     project = drawn.project
     found = {v for one in project.chapters for v in Protocols.of(one).views(project).get(plan, ())}
     views = dict.fromkeys(step.it.view for step in project.construction.steps)
@@ -300,4 +304,5 @@ def _refused(drawn: Drawn, plan: str, name: str) -> SceneError:
 
 def synthesis(scene: Scene) -> SynthesisLog | None:
     """Return the recorded synthesis of a scene that states a task."""
-    return rocker(**scene.task.given) if scene.task is not None else None
+    task = scene.task
+    return synthesis_log(task.kind, task.given) if task is not None else None

@@ -1,4 +1,4 @@
-"""The sections of a scene that give the mechanism: frame, links, drive, task; directions and sides."""
+"""The sections of a scene that give the mechanism: frame, links, drive; directions and sides."""
 
 from __future__ import annotations
 
@@ -255,21 +255,6 @@ class Mesh:
     def sizes(self) -> tuple[float, ...]:
         """Teeth, or else pitch radii, m."""
         return self.teeth or self.radii
-
-
-@dataclass(frozen=True)
-class Task:
-    """A task that gives the lengths of a mechanism."""
-
-    kind: str = key(v.choice("rocker", кулиса="rocker"), "the kind of mechanism", "rocker")
-    K_v: float = key(v.RATIO, "ratio of the mean speeds of the two strokes", 1.45)
-    stroke: float = key(v.POSITIVE_LENGTH, "the stroke of the slider", "95 mm")
-    OB: float = key(v.POSITIVE_LENGTH, "the distance of the fixed pivots", "480 mm")
-
-    @property
-    def given(self) -> Mapping[str, float]:
-        """What is given (SI), by name."""
-        return {"K_v": self.K_v, "stroke": self.stroke, "OB": self.OB}
 
 
 @dataclass(frozen=True)

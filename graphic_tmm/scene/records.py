@@ -17,7 +17,7 @@ from graphic_tmm.scene.author import Author
 from graphic_tmm.scene.drawing import Hand, Plans
 from graphic_tmm.scene.drawing import Scales as Scales
 from graphic_tmm.scene.drawing import SheetOrder as SheetOrder
-from graphic_tmm.scene.mechanism import Task
+from graphic_tmm.scene.length_task import Task
 from graphic_tmm.scene.registry import called_by, sections
 
 

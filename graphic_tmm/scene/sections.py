@@ -14,9 +14,19 @@ from functools import cached_property
 from typing import Any
 
 from graphic_tmm.board.bounds import INTERVALS
-from graphic_tmm.errors import TmmError
+from graphic_tmm.errors import StructureError, TmmError
 from graphic_tmm.language.said import said
-from graphic_tmm.scene import author, drawing, lengths, letters, mechanism, quantities, registry
+from graphic_tmm.mechanism import synthesis
+from graphic_tmm.scene import (
+    author,
+    drawing,
+    length_task,
+    lengths,
+    letters,
+    mechanism,
+    quantities,
+    registry,
+)
 from graphic_tmm.scene.bare import taken
 from graphic_tmm.scene.declare import Flaw, Path, Section, build, keys_of
 from graphic_tmm.scene.document import Document, as_table, raw_links
@@ -26,7 +36,7 @@ from graphic_tmm.scene.tables import MOST, understood, unknown_key
 from graphic_tmm.scene.units import SI, SYSTEMS, UNITS
 
 FIRST = (
-    Section("task", mechanism.Task, "lengths found from a task"),
+    Section("task", length_task.Task, "lengths found from a task"),
     Section("frame", mechanism.Frame, "the fixed link", always=True),
     Section("joints", mechanism.Joints, "joints of links in one position, by which links are told"),
     Section("link", mechanism.Link, "the moving links, in order", several=True),
@@ -53,7 +63,6 @@ _EXAMPLES = {
     "link": said("a section [[link]] for each moving link, with its number and points"),
     "drive": said('a section [drive] with link = 1 and speed = "380 rpm"'),
 }
-_FOUND_BY_TASK = ("OA", "BC", "OB")
 
 
 def declared() -> dict[str, Section]:
@@ -252,16 +261,28 @@ def _task(doc: Document, found: list[Flaw]) -> tuple[Any, dict[str, float]]:
     """Return what the task says, and the lengths it gives (NaN where they cannot be told)."""
     if "task" not in doc:
         return None, {}
-    task = understood(mechanism.Task, doc["task"], ("task",), {}, found)
+    task = understood(length_task.Task, doc["task"], ("task",), {}, found)
     if task is None:
-        return None, dict.fromkeys(_FOUND_BY_TASK, math.nan)
-    from graphic_tmm.mechanism.synthesis import rocker_lengths
-
+        kind = as_table(doc["task"]).get("kind")
+        return None, _unknown(kind if isinstance(kind, str) else "")
+    given = length_task.given_by(task.kind, lambda name: getattr(task, name))
+    if flaws := list(length_task.task_flaws(task.kind, given)):
+        found += flaws
+        return task, _unknown(task.kind)
     try:
-        return task, dict(rocker_lengths(task.K_v, task.stroke, task.OB))
+        return task, synthesis.lengths_found(task.kind, given)
+    except StructureError as error:
+        at = error.keys[0].split(".") if error.keys else ["task"]
+        found.append(Flaw(tuple(at), error.says))
     except (ValueError, TmmError) as error:
         found.append(Flaw(("task",), error.args[0]))
-        return task, dict.fromkeys(_FOUND_BY_TASK, math.nan)
+    return task, _unknown(task.kind)
+
+
+def _unknown(kind: str) -> dict[str, float]:
+    """Return the lengths that a kind of task finds, none of which is known."""
+    kinds = synthesis.KINDS
+    return dict.fromkeys(kinds.get(kind, kinds["rocker"]).finds, math.nan)
 
 
 def lengths_of(doc: Document) -> dict[str, float]:

@@ -26,6 +26,7 @@ CYRILLIC = re.compile("[а-яА-ЯёЁ]")
 RUSSIAN_BY_NATURE = {
     "paper/formats.py": "А4 as people write it in Russian: input",
     "paper/lettering/glyph_tables.py": "the Cyrillic alphabet's own strokes, and letters that have them",
+    "scene/length_task.py": "input: kinds of mechanisms that a task asks for",
     "chapters/lettering/views.py": "a specimen shows Cyrillic letters, and puts Ё behind Е",
     "checking/readings/csv_cells.py": "input: titles typed with Cyrillic letters that look like x and y, мм",
     "checking/readings/figures.py": "input: мм behind a figure",

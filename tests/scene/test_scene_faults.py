@@ -182,7 +182,7 @@ CASES = [
     ('name = "N"', 'name = "N"\n[task]\nkind = "rocker"\nK_v = 2\nstroke = -1\nOB = 1',
      "task.stroke", 37, "not greater than 0"),
     ('name = "N"', 'name = "N"\n[task]\nkind = "crank"\nK_v = 2\nstroke = 1\nOB = 1',
-     "task.kind", 35, 'it can only be "rocker"'),
+     "task.kind", 35, 'did you mean "crank-rocker"'),
     # not TOML at all
     ('"380 rpm"', "380 rpm", "speed", 23, 'in quotes: speed = "380 rpm"'),
     ('"380 rpm"', "39,8", "speed", 23, "decimal sign of a number is a point: 39.8"),
@@ -318,10 +318,10 @@ def test_a_folder_in_place_of_the_file(tmp_path):
 def test_synthesis_that_refuses_is_a_fault_of_the_task(tmp_path, monkeypatch):
     from graphic_tmm.mechanism import synthesis
 
-    def refuse(K_v, stroke, OB):
+    def refuse(kind, given):
         raise ValueError("the crank is longer than OB; write a smaller stroke")
 
-    monkeypatch.setattr(synthesis, "rocker_lengths", refuse)
+    monkeypatch.setattr(synthesis, "lengths_found", refuse)
     text = GOOD + '[task]\nkind = "rocker"\nK_v = 2\nstroke = 1\nOB = 1\n'
     (fault,) = faults_of(tmp_path, text)
     assert (fault.key, fault.line) == ("task", 34)

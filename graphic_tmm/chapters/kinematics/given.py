@@ -16,6 +16,7 @@ from graphic_tmm.mechanism.masses import inertia_letter
 from graphic_tmm.mechanism.records import Arm, Extreme, Guide, Link, Mechanism, Sweep
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.mechanism.wheels import size_names
+from graphic_tmm.readers.given_task import given_by_task
 from graphic_tmm.readers.narration import remark
 from graphic_tmm.readers.task_sheet import SIZE, Given, given_figure
 from graphic_tmm.scene.records import Scene
@@ -26,9 +27,7 @@ def given(scene: Scene) -> Iterator[Given]:
     mechanism = scene.mechanism
     if mechanism is None:
         return
-    if scene.task is not None:
-        yield Given("K_v", scene.task.K_v)
-        yield Given("S", scene.task.stroke, SIZE)
+    yield from given_by_task(scene)
     rows = [*_lengths(mechanism), *frame_sizes(mechanism)]
     yield from dict.fromkeys(Given(name, size, SIZE) for name, size in rows)
     yield from _directions(mechanism)

@@ -18,6 +18,7 @@ from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.units import millimetres, small, unit
+from graphic_tmm.mechanism.synthesis import KINDS
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import escape
@@ -47,11 +48,15 @@ EXACT = 1e-9
 
 
 def other(scene: Scene, text: str, share: float, stroke: float) -> Scene:
-    """Return a scene whose task has another K_v and another stroke, by shares."""
+    """Return a scene whose task gives something else in one or two keys, by shares: K_v and the stroke."""
     task = scene.task
     assert task is not None
-    text = set_to(text, ("task", "K_v"), repr(1.0 + (task.K_v - 1.0) * share))
-    text = set_to(text, ("task", "stroke"), repr(task.stroke * stroke))
+    given = task.given
+    varied = [name for name in KINDS[task.kind].varied if name in given]
+    for name, times in zip(varied, (share, stroke), strict=False):
+        value = given[name]
+        other_value = 1.0 + (value - 1.0) * times if name == "K_v" else value * times
+        text = set_to(text, ("task", name), repr(other_value))
     made = judged(text.encode("utf-8"), File(scene.source))
     return made
 

@@ -1,0 +1,248 @@
+"""A crank-rocker found from its rocker's swing and length and K_v: O on circles that see a chord under θ.
+
+Both extreme places of B and the angle θ between the dead centres fix two circles on which the crank's pivot may
+stand, one on each side of the chord. On one of them is a freedom: the distance of the pivots, or the least
+angle of transmission. Not every place does: the crank has to turn all round, and both dead centres have to be
+of one assembly.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.formulas import swing_angle
+from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism import synthesis_formulas as f
+from graphic_tmm.mechanism.synthesis_kinds import Given, Lengths, ratio_of, theta_of
+
+TRIED = 4000
+"""So many places of O on a locus are tried: for the limit that a refusal tells, and for a transmission."""
+COARSE = 400
+"""So many at each try for the greatest K_v."""
+HALVINGS = 14
+"""So often the angle θ is halved in which the limit of K_v is sought: to a hundredth of a degree."""
+
+
+class FourBar(NamedTuple):
+    """A crank-rocker that does what is asked, lengths in m.
+
+    ``pivot``: where O stands from C, the chord level above C; ``side``: of the chord on which the locus
+    of O bulges, 1 away from C. ``least``: the least angle of transmission, degrees. ``centre``: of the
+    locus, how far over C; ``sense``: 1 where B lies to the left of the way from O to C.
+    """
+
+    side: int
+    frame: float
+    pivot: complex
+    crank: float
+    coupler: float
+    rocker: float
+    least: float
+    centre: float
+    sense: int
+
+
+def four_bar_at(
+    side: int, half: float, height: float, theta: float, frame: float
+) -> FourBar | None:
+    """Return the crank-rocker with O on one of both circles, so far from C; None if there is none.
+
+    ``half`` of the chord, its ``height`` over C (m), ``theta`` in degrees.
+    """
+    centre = height + side * half / math.tan(math.radians(theta))
+    if centre == 0.0:
+        return None
+    along = (frame**2 + height**2 - half**2 + 2.0 * height * (centre - height)) / (2.0 * centre)
+    if abs(along) >= frame:
+        return None
+    return _checked(side, complex(-math.sqrt(frame**2 - along**2), along), half, height)
+
+
+def _checked(side: int, at: complex, half: float, height: float) -> FourBar | None:
+    """Return what a place of O makes, if its crank turns all round and both dead centres are one assembly."""
+    if not side * (at.imag - height) > 0.0:
+        return None  # the other arc of the circle: the chord is seen under 180° − θ
+    ends = complex(-half, height), complex(half, height)
+    near, far = sorted(abs(end - at) for end in ends)
+    crank, coupler = (far - near) / 2.0, (far + near) / 2.0
+    frame, rocker = abs(at), abs(ends[0])
+    turns = [((end - at) * np.conj(-at)).imag for end in ends]
+    shortest, *_, longest = sorted((crank, coupler, frame, rocker))
+    whole = shortest + longest < (crank + coupler + frame + rocker) / 2.0
+    if not (crank > 0.0 and crank == shortest and whole and turns[0] * turns[1] > 0.0):
+        return None
+    least = least_transmission(crank, coupler, rocker, frame)
+    centre, sense = _centre(at, ends).imag, 1 if turns[0] > 0.0 else -1
+    return FourBar(side, frame, at, crank, coupler, rocker, least, centre, sense)
+
+
+def least_transmission(crank: float, coupler: float, rocker: float, frame: float) -> float:
+    """Return the least angle of transmission, degrees: where crank and frame lie in one line."""
+    angles = []
+    for apart in (frame - crank, frame + crank):
+        cosine = (coupler**2 + rocker**2 - apart**2) / (2.0 * coupler * rocker)
+        angle = math.degrees(math.acos(max(-1.0, min(1.0, cosine))))
+        angles.append(min(angle, 180.0 - angle))
+    return min(angles)
+
+
+def sizes_of_chord(given: Given) -> tuple[float, float, float]:
+    """Return half the chord of B, its height over C (m) and θ (degrees)."""
+    swing = math.radians(given["psi"]) / 2.0
+    rocker, theta = given["BC"], theta_of(given["K_v"])
+    return rocker * math.sin(swing), rocker * math.cos(swing), theta
+
+
+def on_locus(given: Given, tried: int = TRIED) -> Iterator[list[FourBar | None]]:
+    """Yield what O makes along each of both circles, place by place; None where it makes no crank-rocker."""
+    half, height, theta = sizes_of_chord(given)
+    radius = half / math.sin(math.radians(theta))
+    for side in (1, -1):
+        centre = height + side * half / math.tan(math.radians(theta))
+        spots = (
+            complex(0.0, centre) + radius * complex(-math.sin(turn), side * math.cos(turn))
+            for turn in np.linspace(0.0, math.pi - math.radians(theta), tried)
+        )
+        yield [_checked(side, at, half, height) for at in spots]
+
+
+def choose_four_bar(given: Given) -> FourBar:
+    """Return the crank-rocker of a task: of several the one with the better transmission.
+
+    Raises
+    ------
+    StructureError
+        If there is none; the message tells between which distances of the pivots there are some, or the best
+        transmission.
+    """
+    if "OC" in given:
+        half, height, theta = sizes_of_chord(given)
+        several = [four_bar_at(side, half, height, theta, given["OC"]) for side in (1, -1)]
+        fit = [one for one in several if one is not None]
+        if fit:
+            return max(fit, key=lambda one: one.least)
+        raise _no_frame(given)
+    return _by_transmission(given)
+
+
+def _no_frame(given: Given) -> StructureError:
+    rows = [[None if one is None else one.frame for one in row] for row in on_locus(given)]
+    merged: list[tuple[float, float]] = []
+    for low, high in sorted(run for row in rows for run in _runs(row)):
+        if merged and low <= merged[-1][1] * (1.0 + 1.0 / TRIED):
+            merged[-1] = merged[-1][0], max(high, merged[-1][1])
+        else:
+            merged.append((low, high))
+    if not merged:
+        return _no_crank_rocker(given)
+    says = said(
+        "no crank-rocker has this ψ and this K_v with the pivots so far apart; with OC = {listed} mm one has",
+        listed=", ".join(f"{1000.0 * low:.4g}…{1000.0 * high:.4g}" for low, high in merged),
+    )
+    return StructureError(says, "task.OC", head="task")
+
+
+def _no_crank_rocker(given: Given) -> StructureError:
+    """Return the refusal of a K_v that no crank-rocker has, with the greatest that one has at this swing."""
+    low, high = 0.0, theta_of(given["K_v"])
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2.0
+        there = on_locus({**given, "K_v": ratio_of(middle)}, COARSE)
+        low, high = (middle, high) if any(map(any, there)) else (low, middle)
+    says = said(
+        "no crank-rocker has this ψ and this K_v; with this ψ one has while K_v is less than {K:.5g}",
+        K=math.floor(1e3 * ratio_of(low)) / 1e3,
+    )
+    return StructureError(says, "task.K_v", head="task")
+
+
+def _runs(row: Sequence[float | None]) -> Iterator[tuple[float, float]]:
+    """Yield the least and the greatest of each stretch of a row."""
+    some: list[float] = []
+    for one in (*row, None):
+        if one is not None:
+            some.append(one)
+        elif some:
+            yield min(some), max(some)
+            some = []
+
+
+def _by_transmission(given: Given) -> FourBar:
+    """Return the crank-rocker with the shortest frame whose least angle of transmission is what is asked."""
+    wanted, fit, best = given["transmission"], [], 0.0
+    half, height, _ = sizes_of_chord(given)
+    for row in on_locus(given):
+        best = max([best, *(one.least for one in row if one is not None)])
+        for one, other in pairwise(row):
+            if one is None or other is None or (one.least < wanted) == (other.least < wanted):
+                continue
+            fit.append(_narrowed(one, other, half, height, wanted))
+    if fit:
+        return min(fit, key=lambda one: one.frame)
+    if best == 0.0:
+        raise _no_crank_rocker(given)
+    says = said(
+        "with this ψ and this K_v the least angle of transmission is {best:.4g}° at best; ask for less",
+        best=math.floor(100.0 * best) / 100.0,
+    )
+    raise StructureError(says, "task.transmission", head="task")
+
+
+def _narrowed(one: FourBar, other: FourBar, half: float, height: float, wanted: float) -> FourBar:
+    """Return the place between two on the locus at which the least transmission is what is wanted."""
+    ends = complex(-half, height), complex(half, height)
+    radius_centre = _centre(one.pivot, ends)
+    low, high = (math.atan2(*_parts(end.pivot - radius_centre)) for end in (one, other))
+    radius = abs(one.pivot - radius_centre)
+    best, rises = one, other.least > one.least
+    for _ in range(200):
+        middle = (low + high) / 2.0
+        at = radius_centre + radius * complex(math.cos(middle), math.sin(middle))
+        made = _checked(one.side, at, half, height)
+        if made is None or middle in (low, high):
+            break
+        best = made
+        low, high = (middle, high) if (made.least < wanted) == rises else (low, middle)
+    return best
+
+
+def _parts(way: complex) -> tuple[float, float]:
+    return way.imag, way.real
+
+
+def _centre(at: complex, ends: tuple[complex, complex]) -> complex:
+    """Return the centre of the circle through a place and both ends of a chord that lies level."""
+    half, height = ends[1].real, ends[1].imag
+    rise = at.imag - height
+    return complex(0.0, height + (at.real**2 + rise**2 - half**2) / (2.0 * rise))
+
+
+def crank_rocker(draft: Draft, given: Given) -> Lengths:
+    """A crank-rocker by the rocker's swing, K_v, its length, and the distance of the pivots or transmission."""
+    chosen = choose_four_bar(given)
+    swing = draft.take(Angle, "ψ", given["psi"], "°")
+    ratio = draft.take(Number, "K_v", given["K_v"])
+    rocker_ = draft.take(Number, "l_{BC}", given["BC"], "m")
+    frame = draft.take(Number, "l_{OC}", chosen.frame, "m")
+    theta = draft.draw(swing_angle, "θ", ratio)
+    half = draft.draw(f.half_of_chord, "g", rocker_, swing, unit="m")
+    height = draft.draw(f.height_of_chord, "h", rocker_, swing, unit="m")
+    centre_of = f.centre_beyond if chosen.side > 0 else f.centre_before
+    centre = draft.draw(centre_of, "m", height, half, theta, unit="m")
+    along = draft.draw(f.along_axis, "Y_{O}", frame, height, half, centre, unit="m")
+    off = draft.draw(f.off_axis, "X_{O}", frame, along, unit="m")
+    far = draft.draw(f.far_end, "l_{1}", off, half, along, height, unit="m")
+    near = draft.draw(f.near_end, "l_{2}", off, half, along, height, unit="m")
+    crank = draft.draw(f.half_difference, "l_{OA}", far, near, unit="m")
+    rod = draft.draw(f.half_sum, "l_{AB}", far, near, unit="m")
+    draft.draw(f.transmission_folded, "γ_1", crank, rod, rocker_, frame, unit="°")
+    draft.draw(f.transmission_stretched, "γ_2", crank, rod, rocker_, frame, unit="°")
+    return {"OA": crank, "AB": rod, "BC": rocker_, "OC": frame}
