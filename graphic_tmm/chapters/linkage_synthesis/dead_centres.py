@@ -56,7 +56,7 @@ def _slider_by_ratio(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     )
     middle = board.circle_of_angle(near, far, guide, angles)
     radius = draft.draw(measure, "MB_1", middle, near)
-    locus = draft.draw(strike, "(η)", middle, radius, why=why.SEEN)
+    locus = draft.draw(strike, "(η)", middle, radius)
     level = draft.draw(shift, "(e)", guide, offset, why=why.OFFSET)
     pivot = draft.draw(cut, "O", level, locus, board.side(-1), why=why.PIVOT_ON_LOCUS)
     crank, rod, line = board.crank_and_rod(pivot, near, far)
@@ -80,7 +80,9 @@ def _slider_by_rod(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     if task.pressure is not None:
         stroke = board.length("S_l", take_stroke(draft, task.given))
         end = board.off("S_1", axis, stroke, why.STROKE_LAID)
-        crank = draft.draw(measure, "OA", pivot, draft.draw(halve, "S_2", pivot, end))
+        crank = draft.draw(
+            measure, "OA", pivot, draft.draw(halve, "S_2", pivot, end, why=why.HALF_STROKE)
+        )
         across = draft.draw(square, "(OA)", pivot, axis)
         pin = board.off("A", across, crank, why.ASLANT)
         back = draft.draw(parallel, "(A)", pin, axis)
@@ -136,7 +138,7 @@ def draw_crank_rocker(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     angles = [draft.draw(op, f"β_{k}", theta, unit="°") for k, op in zip((1, 2), ops, strict=True)]
     middle = board.circle_of_angle(near, far, chord, angles)
     radius = draft.draw(measure, "MB_1", middle, near)
-    locus = draft.draw(strike, "(η)", middle, radius, why=why.SEEN)
+    locus = draft.draw(strike, "(η)", middle, radius)
     about = draft.draw(strike, "(OC)", pivot, frame)
     side = -1 if chosen.centre > 0.0 else 1
     origin = draft.draw(cross, "O", locus, about, board.side(side), why=why.PIVOT_ON_LOCUS)

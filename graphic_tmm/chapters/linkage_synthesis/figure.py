@@ -134,14 +134,14 @@ class SynthesisBoard:
             self.draft.draw(incline, line_name(point, "M"), point, chord, angle, why=why.SEEN)
             for point, angle in zip((start, end), angles, strict=True)
         ]
-        return self.draft.draw(meet, "M", *sides, why=why.SEEN)
+        return self.draft.draw(meet, "M", *sides)
 
     def crank_and_rod(self, pivot: Mark, near: Mark, far: Mark) -> tuple[Mark, Mark, Mark]:
         """Return crank and rod (Length) from the distances of B in both dead centres, and the farther line."""
         short = self.draft.draw(measure, f"{pivot.letter}{near.letter}", pivot, near)
-        arc = self.draft.draw(strike, "(k)", pivot, short, why=why.TWICE_CRANK)
+        arc = self.draft.draw(strike, "(k)", pivot, short)
         line = self.draft.draw(join, line_name(far, pivot), far, pivot)
-        until = self.draft.draw(cut, "D", line, arc, self.side(-1), why=why.TWICE_CRANK)
+        until = self.draft.draw(cut, "D", line, arc, self.side(-1))
         middle = self.draft.draw(halve, "E", far, until, why=why.TWICE_CRANK)
         return (
             self.draft.draw(measure, "OA", far, middle),
@@ -157,7 +157,7 @@ class SynthesisBoard:
     def bisector(self, start: Mark, end: Mark, letter: str) -> Mark:
         """Draw the bisector of the chord between two places."""
         chord = self.draft.draw(join, line_name(start, end), start, end)
-        middle = self.draft.draw(halve, letter, start, end, why=why.BISECTOR)
+        middle = self.draft.draw(halve, letter, start, end, why=why.MIDDLE)
         return self.draft.draw(square, f"({letter})", middle, chord, why=why.BISECTOR)
 
     def centre(self, letter: str, places: Sequence[Mark], middles: tuple[str, str]) -> Mark:
@@ -167,4 +167,4 @@ class SynthesisBoard:
             self.bisector(first, second, middles[0]),
             self.bisector(second, third, middles[1]),
         )
-        return self.draft.draw(meet, letter, *lines, why=why.BISECTOR)
+        return self.draft.draw(meet, letter, *lines)

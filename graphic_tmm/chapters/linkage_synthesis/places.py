@@ -50,12 +50,12 @@ def draw_coupler(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     pivot = board.centre("C", second, ("F_1", "F_2"))
     up = draft.draw(square, "(y)", zero, across)
     measured = {
-        f"{axis}{point.letter}": draft.draw(
-            in_si, f"{axis.upper()}_{{{point.letter}}}",
-            draft.draw(measure_along, f"{axis}_{{{point.letter}}}", zero, point, line),
+        f"{axis}{name}": draft.draw(
+            in_si, f"{axis.upper()}_{{{name}}}",
+            draft.draw(measure_along, f"{axis}_{{{name}}}", zero, point, line),
             board.mu, unit="m",
         )
-        for point in (origin, pivot)
+        for name, point in (("O", origin), ("C", pivot))
         for axis, line in (("x", across), ("y", up))
     }  # fmt: skip
     measured["OA"] = board.read("OA", origin, first[0])

@@ -37,6 +37,8 @@ DEAD_CENTRE = said(
     "In a dead centre B is the rod's length and the crank's, or less the crank's, from O."
 )
 POINTER = said("The coupler stands at its given angle.")
+MIDDLE = said("A bisector goes through the middle of its chord.")
+HALF_STROKE = said("The stroke is twice the crank: the diameter of its pin's circle.")
 BISECTOR = said(
     "A pin keeps its distance from the centre about which it turns, so that stands on the bisector of any "
     "chord between its places."
