@@ -69,7 +69,9 @@ def _written(one: Standing, **more: Any) -> dict[str, Any]:
         link | {k: told[link["number"]][k] for k in kept if k in told[link["number"]]}
         for link in joints["link"]
     ]
-    rest = {k: v for k, v in doc.items() if k not in ("lengths", "task", "synthesis")}
+    # a synthesis, and the sheet that shows it, goes with its task
+    drawn = ("synthesis", "sheet") if "synthesis" in doc else ()
+    rest = {k: v for k, v in doc.items() if k not in ("lengths", "task", *drawn)}
     return {**rest, "frame": joints["frame"], "joints": joints["joints"], "link": links}
 
 

@@ -35,6 +35,7 @@ def _check(_: Any, parts: Any) -> Iterator[Flaw]:
 
 SECTIONS = (
     Section(
-        SYNTHESIS, SynthesisTask, "the synthesis of the task, drawn", alone=True, check=_check
+        SYNTHESIS, SynthesisTask, "the synthesis of the task, drawn", alone=True, check=_check,
+        begin='mu_l = "1:1"',
     ),
 )  # fmt: skip
