@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -17,14 +18,20 @@ import numpy as np
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import swing_angle
-from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.board.operations.locus import narrow, refinement
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Angle, Number, Reals
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism import synthesis_formulas as f
 from graphic_tmm.mechanism.synthesis_kinds import Given, Lengths, ratio_of, theta_of
 
+SIDES = (1, -1)
+"""Of the chord on which a circle bulges: away from C, towards it."""
 TRIED = 4000
 """So many places of O on a locus are tried: for the limit that a refusal tells, and for a transmission."""
+SPREAD = TRIED // 20
+"""A frame that is looked for by its transmission stands within so many of these places on both sides."""
 COARSE = 400
 """So many at each try for the greatest K_v."""
 HALVINGS = 14
@@ -36,7 +43,8 @@ class FourBar(NamedTuple):
 
     ``pivot``: where O stands from C, the chord level above C; ``side``: of the chord on which the locus
     of O bulges, 1 away from C. ``least``: the least angle of transmission, degrees. ``centre``: of the
-    locus, how far over C; ``sense``: 1 where B lies to the left of the way from O to C.
+    locus, how far over C; ``sense``: 1 where B lies to the left of the way from O to C. ``between``: the
+    frames between which this one was looked for by its transmission.
     """
 
     side: int
@@ -48,6 +56,7 @@ class FourBar(NamedTuple):
     least: float
     centre: float
     sense: int
+    between: tuple[float, float] | None = None
 
 
 def four_bar_at(
@@ -105,7 +114,7 @@ def on_locus(given: Given, tried: int = TRIED) -> Iterator[list[FourBar | None]]
     """Yield what O makes along each of both circles, place by place; None where it makes no crank-rocker."""
     half, height, theta = sizes_of_chord(given)
     radius = half / math.sin(math.radians(theta))
-    for side in (1, -1):
+    for side in SIDES:
         centre = height + side * half / math.tan(math.radians(theta))
         spots = (
             complex(0.0, centre) + radius * complex(-math.sin(turn), side * math.cos(turn))
@@ -125,7 +134,7 @@ def choose_four_bar(given: Given) -> FourBar:
     """
     if "OC" in given:
         half, height, theta = sizes_of_chord(given)
-        several = [four_bar_at(side, half, height, theta, given["OC"]) for side in (1, -1)]
+        several = [four_bar_at(side, half, height, theta, given["OC"]) for side in SIDES]
         fit = [one for one in several if one is not None]
         if fit:
             return max(fit, key=lambda one: one.least)
@@ -175,16 +184,55 @@ def _runs(row: Sequence[float | None]) -> Iterator[tuple[float, float]]:
             some = []
 
 
+@dataclass(frozen=True)
+class TransmissionOf:
+    """How far the least angle of transmission is above what is wanted, of frames (m) with O on a circle."""
+
+    side: int
+    half: float
+    height: float
+    theta: float
+    wanted: float
+
+    def __call__(self, frame: Reals) -> Reals:
+        """Return that of each frame, degrees."""
+        centre = self.height + self.side * self.half / math.tan(math.radians(self.theta))
+        square = frame**2 + self.height**2 - self.half**2
+        along = (square + 2.0 * self.height * (centre - self.height)) / (2.0 * centre)
+        off = np.sqrt(np.maximum(frame**2 - along**2, 0.0))
+        far, near = (np.hypot(off + side * self.half, along - self.height) for side in (1, -1))
+        crank, coupler = (far - near) / 2.0, (far + near) / 2.0
+        rocker = math.hypot(self.half, self.height)
+        angles = []
+        for apart in (frame - crank, frame + crank):
+            cosine = (coupler**2 + rocker**2 - apart**2) / (2.0 * coupler * rocker)
+            angle = np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
+            angles += [angle, 180.0 - angle]
+        return np.asarray(np.min(angles, axis=0) - self.wanted)
+
+
+TRY_FRAMES = said(
+    "Try distances of the pivots between {low} and {high}, each time narrowing to where the least angle of "
+    "transmission is what is wanted; this is {it}."
+)
+
+
 def _by_transmission(given: Given) -> FourBar:
     """Return the crank-rocker with the shortest frame whose least angle of transmission is what is asked."""
-    wanted, fit, best = given["transmission"], [], 0.0
-    half, height, _ = sizes_of_chord(given)
-    for row in on_locus(given):
+    wanted, fit, best = given["transmission"], list[FourBar](), 0.0
+    chord = sizes_of_chord(given)
+    for side, row in zip(SIDES, on_locus(given), strict=True):
         best = max([best, *(one.least for one in row if one is not None)])
-        for one, other in pairwise(row):
+        for k, (one, other) in enumerate(pairwise(row)):
             if one is None or other is None or (one.least < wanted) == (other.least < wanted):
                 continue
-            fit.append(_narrowed(one, other, half, height, wanted))
+            ends = _farther(row, k, -1, wanted), _farther(row, k + 1, 1, wanted)
+            low, high = sorted(end.frame for end in ends)
+            tried = TransmissionOf(side, *chord, wanted)
+            frame = float(narrow(tried, np.array([[low]]), np.array([[high]]))[0, 0])
+            made = four_bar_at(side, *chord, frame)
+            if made is not None:
+                fit.append(made._replace(between=(low, high)))
     if fit:
         return min(fit, key=lambda one: one.frame)
     if best == 0.0:
@@ -196,26 +244,28 @@ def _by_transmission(given: Given) -> FourBar:
     raise StructureError(says, "task.transmission", head="task")
 
 
-def _narrowed(one: FourBar, other: FourBar, half: float, height: float, wanted: float) -> FourBar:
-    """Return the place between two on the locus at which the least transmission is what is wanted."""
-    ends = complex(-half, height), complex(half, height)
-    radius_centre = _centre(one.pivot, ends)
-    low, high = (math.atan2(*_parts(end.pivot - radius_centre)) for end in (one, other))
-    radius = abs(one.pivot - radius_centre)
-    best, rises = one, other.least > one.least
-    for _ in range(200):
-        middle = (low + high) / 2.0
-        at = radius_centre + radius * complex(math.cos(middle), math.sin(middle))
-        made = _checked(one.side, at, half, height)
-        if made is None or middle in (low, high):
+def _farther(row: Sequence[FourBar | None], k: int, way: int, wanted: float) -> FourBar:
+    """Return how far one may go from a place of the locus without coming past what is wanted again."""
+    found = row[k]
+    assert found is not None
+    for j in range(1, SPREAD):
+        other = row[k + way * j] if 0 <= k + way * j < len(row) else None
+        if other is None or (other.least < wanted) != (found.least < wanted):
             break
-        best = made
-        low, high = (middle, high) if (made.least < wanted) == rises else (low, middle)
-    return best
+        found = other
+    return found
 
 
-def _parts(way: complex) -> tuple[float, float]:
-    return way.imag, way.real
+def take_frame(draft: Draft, given: Given, chosen: FourBar) -> Mark:
+    """Take the distance of the pivots, or look for it on the locus by the least angle of transmission."""
+    if chosen.between is None:
+        return draft.take(Number, "l_{OC}", chosen.frame, "m")
+    tried = TransmissionOf(chosen.side, *sizes_of_chord(given), given["transmission"])
+    ends = [draft.take(Number, "", one, "m") for one in chosen.between]
+    return draft.draw(refinement(tried, TRY_FRAMES, Number), "l_{OC}", *ends, unit="m", why=_WORST)
+
+
+_WORST = said("The transmission is worst where crank and frame lie in one line.")
 
 
 def _centre(at: complex, ends: tuple[complex, complex]) -> complex:
@@ -231,7 +281,7 @@ def crank_rocker(draft: Draft, given: Given) -> Lengths:
     swing = draft.take(Angle, "ψ", given["psi"], "°")
     ratio = draft.take(Number, "K_v", given["K_v"])
     rocker_ = draft.take(Number, "l_{BC}", given["BC"], "m")
-    frame = draft.take(Number, "l_{OC}", chosen.frame, "m")
+    frame = take_frame(draft, given, chosen)
     theta = draft.draw(swing_angle, "θ", ratio)
     half = draft.draw(f.half_of_chord, "g", rocker_, swing, unit="m")
     height = draft.draw(f.height_of_chord, "h", rocker_, swing, unit="m")

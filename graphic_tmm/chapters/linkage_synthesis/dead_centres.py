@@ -28,7 +28,7 @@ from graphic_tmm.chapters.linkage_synthesis.figure import (
     SynthesisBoard,
     SynthesisFigure,
 )
-from graphic_tmm.mechanism.synthesis_four_bar import choose_four_bar
+from graphic_tmm.mechanism.synthesis_four_bar import choose_four_bar, take_frame
 from graphic_tmm.mechanism.synthesis_kinds import slider_crank, take_stroke
 from graphic_tmm.scene.length_task import Task
 
@@ -124,7 +124,7 @@ def draw_crank_rocker(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     theta = _theta(board, task)
     swing = draft.take(Angle, "ψ", task.psi, "°")
     rocker = board.length("BC", draft.take(Number, "l_{BC}", task.BC, "m"))
-    frame = board.length("OC", draft.take(Number, "l_{OC}", chosen.frame, "m"))
+    frame = board.length("OC", take_frame(draft, task.given, chosen))
     pivot = board.origin("C")
     axis = board.axis(pivot, "(y)", 90.0)
     ends = []

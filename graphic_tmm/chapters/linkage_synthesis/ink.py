@@ -32,7 +32,7 @@ def draw_synthesis(on: Subject, made: SynthesisFigure) -> Drawing:
     traces = figure(ink)
     strokes = [*traces.staying]
     for one in made.circles:
-        strokes += body(_circle(ink, one), "locus", (one.centre, *one.through))
+        strokes += body(_circle(ink, one), "path", (one.centre, *one.through))
     if made.guide is not None:
         strokes += body(_guide(ink, *made.guide), "guide", made.guide)
     for position in made.worst:
