@@ -69,7 +69,7 @@ KINDS: dict[str, SynthesisKind] = {
         _ways(("A angles AB",)),
         ("xO", "yO", "xC", "yC", "OA", "AB", "BC"),
         kinds.coupler,
-        ("AB",),
+        ("AB", "A"),
     ),
     "angles": SynthesisKind(
         _ways(("crank rocker OA OC",)), ("OA", "AB", "BC", "OC"), kinds.angles, ("OA",)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from itertools import islice, product
+from contextlib import suppress
+from itertools import count, islice
 from pathlib import Path as File
 from typing import NamedTuple
 
@@ -24,6 +25,7 @@ from graphic_tmm.paper.formats import Heights
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.packing import bounds
 from graphic_tmm.paper.ruled import ruled_table
+from graphic_tmm.readers.given_task import given_by_task
 from graphic_tmm.readers.protocol import synthesis
 from graphic_tmm.readers.task_sheet import (
     Given,
@@ -41,8 +43,10 @@ from graphic_tmm.scene.splice import set_to
 
 SHARES = ((1.2, 0.8), (1.1, 0.9), (1.3, 1.0), (0.8, 0.9))
 """By how much K_v − 1 and the stroke are another for a scheme not to scale; the first that can be read."""
-TRIED = (1.0, 1.01)
-"""The same for what is seen to follow."""
+STEP, PARTS = 0.01, 13
+"""What is given varies within this share, in so many parts, for what is seen to follow."""
+LEAST = 0.01
+"""What is given as zero varies as if it were this, degrees or m."""
 EXACT = 1e-9
 """What follows by no sum of lengths to this share is not told."""
 
@@ -55,10 +59,17 @@ def other(scene: Scene, text: str, share: float, stroke: float) -> Scene:
     varied = [name for name in KINDS[task.kind].varied if name in given]
     for name, times in zip(varied, (share, stroke), strict=False):
         value = given[name]
-        other_value = 1.0 + (value - 1.0) * times if name == "K_v" else value * times
-        text = set_to(text, ("task", name), repr(other_value))
+        values = value if isinstance(value, tuple) else (value,)
+        moved = [1.0 + (one - 1.0) * times if name == "K_v" else one * times for one in values]
+        text = set_to(text, ("task", name), _written(value, moved))
     made = judged(text.encode("utf-8"), File(scene.source))
     return made
+
+
+def _written(value: object, moved: Sequence[complex]) -> str:
+    """Return other values of a key as its file writes them: one, or a list as it was; a point as a pair."""
+    made = [[one.real, one.imag] if isinstance(one, complex) else one for one in moved]
+    return repr(made if isinstance(value, tuple) else made[0])
 
 
 def disguised(scene: Scene, text: str) -> Scene | None:
@@ -71,14 +82,36 @@ def disguised(scene: Scene, text: str) -> Scene | None:
     return None
 
 
+def _variants(scene: Scene, text: str) -> list[Scene]:
+    """Return scenes whose task gives a little else of all but lengths: more than lengths are to be found."""
+    task, found = scene.task, synthesis(scene)
+    assert task is not None
+    assert found is not None
+    varied = {name: value for name, value in task.given.items() if name not in found.lengths}
+    several = [scene]
+    for k in range(1, len(found.lengths) + 3):
+        changed, parts = text, count(2)
+        for name, value in varied.items():
+            values = value if isinstance(value, tuple) else (value,)
+            moved = [
+                one + STEP * (k * next(parts) % PARTS) / PARTS * (abs(one) or LEAST)
+                for one in values
+            ]
+            changed = set_to(changed, ("task", name), _written(value, moved))
+        with suppress(TmmError):
+            several.append(judged(changed.encode("utf-8"), File(scene.source)))
+    return several
+
+
 def told_rows(scene: Scene, text: str, board: str = MECHANISM) -> list[Given]:
     """Return what a scene gives for a board; what follows from what is sought is told by it."""
     hidden = sought(scene)
     rows = [row for row in given_rows(scene, board) if row.symbol not in hidden]
     if scene.task is None or board != MECHANISM:
         return rows
-    tried = [other(scene, text, *shares) for shares in product(TRIED, TRIED)]
+    tried = _variants(scene, text)
     stated = {mark.name for mark in _synthesis(scene)[0]}
+    stated |= {row.symbol for row in given_by_task(scene)}
     tables = [{row.symbol: row.value for row in given_rows(one, board)} for one in tried]
     found = list[Given]()
     for row in rows:
