@@ -358,5 +358,5 @@ def test_a_message_does_nothing_to_the_terminal(
     result = invoke("draw", path, "-o", tmp_path / "out")
     assert (result.exit_code, result.stdout) == (2, ""), result.output
     assert all(line.isprintable() for line in result.stderr.split("\n"))
-    assert len(max(result.stderr.splitlines(), key=len)) < len(str(path)) + 450
+    assert len(max(result.stderr.splitlines(), key=len)) < len(str(path)) + 500
     assert not (tmp_path / "out").exists()
