@@ -28,7 +28,7 @@ from graphic_tmm.mechanism.synthesis_kinds import Given, Lengths, ratio_of, thet
 
 SIDES = (1, -1)
 """Of the chord on which a circle bulges: away from C, towards it."""
-TRIED = 4000
+TRIED = 1500
 """So many places of O on a locus are tried: for the limit that a refusal tells, and for a transmission."""
 SPREAD = TRIED // 20
 """A frame that is looked for by its transmission stands within so many of these places on both sides."""

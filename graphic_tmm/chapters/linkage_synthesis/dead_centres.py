@@ -32,6 +32,9 @@ from graphic_tmm.mechanism.synthesis_four_bar import choose_four_bar, take_frame
 from graphic_tmm.mechanism.synthesis_kinds import slider_crank, take_stroke
 from graphic_tmm.scene.length_task import Task
 
+FREE = 24.0
+"""So far, degrees, the locus of a pivot with a freedom left is drawn beyond the place that is taken."""
+
 
 def draw_slider(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     """Draw a slider-crank: by K_v and e from the circle of θ, else its dead centres from crank and rod."""
@@ -151,7 +154,7 @@ def draw_crank_rocker(board: SynthesisBoard, task: Task) -> SynthesisFigure:
         (Position((origin, pins[1], far, pivot)), Position((origin, pins[0], near, pivot))),
         (origin, pivot), (near, far, middle, *pins, *(one for at in worst for one in at.joints[1:3])),
         worst=worst,
-        circles=(Circle("thin", middle, (far, origin, near)), Circle("centre", origin, tuple(pins))),
+        circles=(Circle("thin", middle, (far, origin, near), FREE), Circle("centre", origin, tuple(pins))),
         transmission=angle,
         angles=(Between(origin, near, far, theta), Between(pivot, far, near, swing)),
     )  # fmt: skip

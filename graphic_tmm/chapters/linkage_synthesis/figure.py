@@ -35,11 +35,15 @@ def line_name(start: Mark, end: Mark | str) -> str:
 
 
 class Circle(NamedTuple):
-    """A circle of the figure about a point, as far as it goes through some others; ``pen`` as ink has it."""
+    """A circle of the figure about a point, as far as it goes through some others; ``pen`` as ink has it.
+
+    ``farther``: how far it goes on behind these, degrees: a locus shows where else its point might stand.
+    """
 
     pen: str
     centre: Mark
     through: tuple[Mark, ...]
+    farther: float = 10.0
 
 
 class Between(NamedTuple):

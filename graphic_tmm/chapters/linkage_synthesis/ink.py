@@ -18,8 +18,6 @@ from graphic_tmm.paper.symbols.kinematic import fixed_pivot, guide, slider, turn
 
 BEYOND = 12.0
 """How far a guide goes on behind the ends of the stroke, mm."""
-FARTHER = 10.0
-"""By how much an arc of a locus goes on behind what stands on it, degrees."""
 ANGLE = 18.0
 """Radius of the arc that shows an angle, mm."""
 PIVOT, PIN = 3.0, 2.0
@@ -69,7 +67,7 @@ def _circle(ink: Seen, of: Circle) -> Iterator[Ink]:
     gaps = [(b - a) % 360.0 for a, b in zip(angles, [*angles[1:], angles[0]], strict=True)]
     widest = max(range(len(gaps)), key=gaps.__getitem__)
     start = angles[(widest + 1) % len(angles)]
-    farther = min(FARTHER, gaps[widest] / 2.0)
+    farther = min(of.farther, gaps[widest] / 2.0)
     sweep = 360.0 - gaps[widest] + 2.0 * farther
     yield arc(of.pen, centre, abs(spots[0]), start - farther, sweep)
 
