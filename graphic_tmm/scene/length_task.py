@@ -33,9 +33,12 @@ class Task:
             функция="function",
             качающийся_цилиндр="cylinder",
         ),
-        "the kind of mechanism: a rocker with its stone; a slider-crank; a crank-rocker; a four-bar by three "
-        "positions of its coupler, by three pairs of angles of crank and rocker, or by a function y = x^p; a "
-        "swinging cylinder",
+        "the kind of mechanism, by its keys, and the lengths that it gives: rocker (K_v, stroke, OB: OA, "
+        "BC, OB); slider-crank (stroke, or v_m and n; K_v and e, or lambda with e or without, or "
+        "pressure: OA, AB, e); crank-rocker (psi, K_v, BC; OC or transmission: OA, AB, BC, OC); coupler "
+        "in three positions (A, angles, AB: xO, yO, xC, yC, OA, AB, BC); three pairs of angles (crank, "
+        "rocker, OA, OC: OA, AB, BC, OC); function (x, power, crank, rocker, OA, OC: the same); swinging "
+        "cylinder (stroke, or v_m and n; psi: OA, OC)",
         "rocker",
     )
     K_v: float | None = key(v.RATIO, "ratio of the mean speeds of the two strokes", 1.45, None)
