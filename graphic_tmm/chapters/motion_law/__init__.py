@@ -18,8 +18,8 @@ same chords tell the time: over an interval with an even ε the mean speed is th
 ω_2)/2, so Δt = Δφ/ω_m. From rest this is the book's 2·Δφ/ω_1, and nothing is divided by ω = 0. The graph of
 1/ω_m is integrated to t(φ).
 
-With N positions ω errs by what the curve of the moment is off between them, as N⁻², and so does t. The same with
-every other position is off four times as much: a third of the difference is told as the error of ω.
+With N positions ω errs by what the curve of the moment is off between them, as N⁻², and so does t. The same
+with every other position is off four times as much: a third of the difference is told as the error of ω.
 
 Draws: place ``motion_law`` (moment, works, energy, energy–mass diagram, ω, ε, 1/ω, t, tables). Builds on the
 flywheel's reductions, and on kinematics, indicator (the gas) or forces (loads on the lever).
