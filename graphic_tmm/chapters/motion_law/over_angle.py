@@ -8,8 +8,9 @@ from graphic_tmm.board import graphs, roles
 from graphic_tmm.board.charts import STANDARD, Chart, integrated_scale
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.graphs import Axes, Boundaries, Middles
+from graphic_tmm.board.graphs import Axes, Boundaries
 from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.graph_curves import graph_of_stretch
 from graphic_tmm.board.operations.graphs import following, halve
 from graphic_tmm.board.operations.instruments import join, lay_off, measure_along, meet, square
 from graphic_tmm.board.record import Mark
@@ -125,7 +126,8 @@ class OverAngle:
             square, "(m)", axes.middles, axes.along, sense=1, why=graphs.ORDINATE_LINE
         )
         points = draft.draw(lay_off, "q", line, height, why=graphs.ORDINATE)
-        graphs.through(draft, axes, Middles(points), closed=False)
+        # what lies outside the first and the last middle is not known
+        draft.draw(graph_of_stretch, "(q–q)", points, first=0, last=self.row - 1)
         read = draft.draw(measure_along, symbol, axes.middles, points, axes.up)
         self.chart(view, symbol, unit, mu, read)
         return axes, points

@@ -89,8 +89,9 @@ class MotorTask:
 def _check_motor(motor: Said, parts: Parts) -> Iterator[Flaw]:
     """A motor of which there is too little, or that is two."""
     count = parts.drive.count if parts.drive is not None else None
-    if count is not None and motor.step >= count:
-        says = said("there are {count} intervals in a turn; write a smaller number", count=count)
+    law = parts.said.get("motion_law")
+    if count is not None and law and motor.step >= (count := count * law.turns):
+        says = said("there are {count} intervals; write a smaller number", count=count)
         yield Flaw((MOTOR, "step"), says)
     kinds = [one for one in ("synchronous", "no_load", "points") if getattr(motor, one) is not None]
     if len(kinds) > 1:

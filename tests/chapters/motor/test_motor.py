@@ -218,7 +218,7 @@ def replace_motor(of: Machine, motor: Catalogue, share: float) -> Machine:
         ("synchronous = ", "points = [[3, 1], [2, 1]]\n#", "grow from point to point"),
         ("power = ", "#", "motor.power: it is missing"),
         ("nominal = ", "nominal = 1e3 #", "under load a motor turns more slowly"),
-        ("step = 1", "step = 12", "there are 12 intervals in a turn"),
+        ("step = 1", "step = 12", "there are 12 intervals"),
         ("turns = 1", "turns = 1\ndelta = 0.05", "write steady = true"),
         ("turns = 1", "turns = 1\nsteady = true\nstart = 2.0", "begins with a speed of its own"),
     ],
