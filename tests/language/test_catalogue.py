@@ -37,6 +37,7 @@ RUSSIAN_BY_NATURE = {
     "checking/readings/quantity_names.py": "input: indices of components in Cyrillic",
     "checking/readings/names.py": "input: words, endings of names; Cyrillic letters by shape and sound",
     "checking/congruence/stated.py": "input: what people write for a scale factor",
+    "chapters/cylinders/task.py": "input: Russian synonyms of choices",
     "scene/units.py": "input: units as Russian task sheets write them",
     "scene/quantities.py": "input: the word of kgf",
     "scene/misfits.py": "input: yes and no",

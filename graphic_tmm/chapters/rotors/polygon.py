@@ -41,9 +41,9 @@ class Side(NamedTuple):
 class Polygon(NamedTuple):
     """A polygon as drawn.
 
-    ``closing``: from the last vertex to the first, by its ``letter``; its ``length`` as measured, its ``size``,
-    its ``angle``: None where it closes by itself. ``exact``: that side, SI; ``reach``: the longer side of the
-    box about the polygon, SI.
+    ``closing``: from the last vertex to the first, of a total the other way, by its ``letter``; its ``length``
+    as measured, its ``size``, its ``angle``: None where it is nothing. ``exact``: that side, SI; ``reach``: the
+    longer side of the box about the polygon, SI.
     """
 
     view: str
@@ -58,11 +58,18 @@ class Polygon(NamedTuple):
 
 
 def draw_polygon(
-    draft: Draft, view: str, mu: tuple[str, str], vectors: Sequence[Vector], letter: str
+    draft: Draft,
+    view: str,
+    mu: tuple[str, str],
+    vectors: Sequence[Vector],
+    letter: str,
+    *,
+    total: bool = False,
 ) -> Polygon | None:
     """Draw the polygon of some vectors in a view of its own; None where all of them are nothing.
 
-    ``mu``: the letter of its scale factor, and its unit; ``letter``: of the vector that closes it.
+    ``mu``: the letter of its scale factor, and its unit; ``letter``: of the vector that closes it, or of their
+    ``total``, from the first vertex to the last.
     """
     there = [one for one in vectors if one.exact]
     if not there:
@@ -76,25 +83,27 @@ def draw_polygon(
     for name, one in zip(VERTICES[1:], there, strict=False):
         side = f"{at.letter}{name}"
         line = draft.draw(ray, f"({side})", at, one.angle, why=why.DIRECTION)
-        size = draft.draw(to_board, side, one.size, factor)
-        head = draft.draw(lay_off, name, line, size, why=why.LAID_OFF)
-        sides.append(Side(one.letter, at, head))
-        at = head
-    length = draft.draw(measure, f"{at.letter}{first.letter}", at, first, why=why.CLOSES)
-    total = draft.draw(in_si, letter, length, unit=unit)
+        so_long = draft.draw(to_board, side, one.size, factor)
+        end = draft.draw(lay_off, name, line, so_long, why=why.LAID_OFF)
+        sides.append(Side(one.letter, at, end))
+        at = end
+    tail, head = (first, at) if total else (at, first)
+    reason, points = (why.TOTAL, why.POINTS) if total else (why.CLOSES, why.ANGLE)
+    length = draft.draw(measure, f"{tail.letter}{head.letter}", tail, head, why=reason)
+    size = draft.draw(in_si, letter, length, unit=unit)
     corners = [0j, *accumulate(one.exact for one in there)]
-    rest = -corners[-1]
+    rest = corners[-1] if total else -corners[-1]
     angle = None
     if abs(rest) > CLOSED * max(abs(one.exact) for one in there):
         angle = draft.draw(
-            bearing, f"α_{{{index(letter)}}}", at, first, role=roles.READ_OFF, why=why.ANGLE
+            bearing, f"α_{{{index(letter)}}}", tail, head, role=roles.READ_OFF, why=points
         )
     else:
         rest = 0j
     wide, high = ([f(z) for z in corners] for f in (_x, _y))
     reach = max(max(wide) - min(wide), max(high) - min(high))
     return Polygon(
-        view, factor, tuple(sides), Side(letter, at, first), length, total, angle, rest, reach
+        view, factor, tuple(sides), Side(letter, tail, head), length, size, angle, rest, reach
     )
 
 

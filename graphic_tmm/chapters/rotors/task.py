@@ -32,7 +32,7 @@ def _row(dimension: Dimension, remedy: Sentence, *, positive: bool) -> Kind:
 
     def read(value: object, names: Names) -> tuple[float, ...]:
         items = value if isinstance(value, list) else [value]
-        if not 1 <= len(items) <= 2:
+        if len(items) > 2:
             raise ValueError(stands(value, remedy))
         found = tuple(quantities.parse(item, dimension) for item in items)
         for item, one in zip(items, found, strict=True):
@@ -41,7 +41,7 @@ def _row(dimension: Dimension, remedy: Sentence, *, positive: bool) -> Kind:
         return found
 
     told = v.quantity_schema(dimension)
-    several = {"type": "array", "items": told, "minItems": 1, "maxItems": 2}
+    several = {"type": "array", "items": told, "maxItems": 2}
     return Kind(read, {"anyOf": [*told["anyOf"], several]}, each=dimension)
 
 

@@ -49,3 +49,5 @@ CLOSES = said(
 )
 AT_REST = said("At rest a rotor is balanced where the vectors m·r close their polygon.")
 ANGLE = said("The counterweight stands where the side that was missing points.")
+TOTAL = said("What remains of all vectors goes from the first vertex to the last.")
+POINTS = said("It points as the side that was measured does.")
