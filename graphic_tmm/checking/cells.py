@@ -5,14 +5,15 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
+from graphic_tmm.board import roles
 from graphic_tmm.board.values import Complexes, Point, Reals
 from graphic_tmm.checking.records import Taken
 from graphic_tmm.drawn import DrawnScene, single
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
-from graphic_tmm.readers.columns import Column, Readings
+from graphic_tmm.readers.columns import Column, Readings, Tabled
 from graphic_tmm.readers.table import positions_of, scene_columns, scene_results
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.chapter import chapters
@@ -28,13 +29,15 @@ RESULTS = "results"
 class Cell(NamedTuple):
     """One figure: mm on the sheet (None where nothing is drawn), the quantity, its unit.
 
-    ``spot``: of a point, where it stands, mm from the pole of its plan.
+    ``spot``: of a point, where it stands, mm from the pole of its plan. ``direction``: an angle that a whole
+    turn more does not change.
     """
 
     mm: float | None
     value: float | None
     unit: str
     spot: complex | None = None
+    direction: bool = False
 
 
 def pointed() -> tuple[str, ...]:
@@ -73,9 +76,24 @@ def _cells(made: DrawnScene) -> Mapping[Key, Cell]:
         for name, mm, value in zip(names, *column.first_figures, strict=True):
             if mm is not None or value is not None:
                 found[column.plan, column.segment, name] = Cell(mm, value, column.unit)
+    directions = frozenset(_directions(made))
     for name, (value, unit) in single(scene_results(made)).items():
-        found[RESULTS, name, ""] = Cell(None, value if math.isfinite(value) else None, unit)
+        there = value if math.isfinite(value) else None
+        found[RESULTS, name, ""] = Cell(None, there, unit, direction=name in directions)
     return found
+
+
+def _directions(made: DrawnScene) -> Iterator[str]:
+    """Yield the results that are directions, read off with the protractor."""
+    for drawn in made.boards:
+        for chapter in drawn.project.chapters:
+            marks = Tabled.of(chapter).marks(drawn)
+            yield from (name for name, mark in marks.items() if mark.role == roles.READ_OFF)
+
+
+def turned_near(angle: Any, due: float) -> Any:
+    """Return an angle, degrees, by as many whole turns more or less as bring it next to what is due."""
+    return due + (angle - due + 180.0) % 360.0 - 180.0
 
 
 def figures(made: DrawnScene, *, in_mm: bool) -> dict[Key, Reals]:
@@ -155,7 +173,8 @@ def taken_figure(taken: Taken, cell: Cell) -> float:
     if taken.mm is not None:
         return taken.mm
     assert taken.value is not None
-    return taken.value * _factor(taken, cell)
+    value = taken.value * _factor(taken, cell)
+    return turned_near(value, cell.value) if cell.direction and cell.value is not None else value
 
 
 def due_figure(cell: Cell, taken: Taken) -> float:

@@ -27,6 +27,8 @@ LEAST, WIDEST = 1.5, 7.0
 """Half the width of a crank from the side, mm."""
 BELOW = 17.0
 """From the lowest pin down to the dimension, mm."""
+BESIDE = cmath.rect(1.0, -0.8)
+"""How far letters turn aside from their cranks."""
 JOINT = 2.2
 """What letters keep from a pin, mm."""
 
@@ -48,9 +50,11 @@ def draw_star(on: Subject, made: Inertia) -> Drawing:
     for name, spot in spots.items():
         strokes += body(turning_pair(spot), "pair", [made.pins[name]])
     names = [Named(spot, name, (made.pins[name].slot,)) for name, spot in spots.items()]
-    return traces.drawing(
-        on, strokes, lettered(shared(names), on.heights.point, JOINT, away_from=0j)
-    )
+    wanted = [  # beside the axis that a crank may lie on
+        one._replace(toward=one.toward * BESIDE)
+        for one in lettered(shared(names), on.heights.point, JOINT, away_from=0j)
+    ]
+    return traces.drawing(on, strokes, wanted)
 
 
 def draw_shaft(on: Subject, made: Inertia) -> Drawing:

@@ -135,8 +135,9 @@ def _off(drawing: Comparison, taken: Taken) -> _Off:
         grain = mu * reader.unblurred(grain / mu)
     elif drawing.is_given(taken):
         grain += GIVEN * abs(goal)
-    signed = float(apart(found, goal, taken.signed))
-    return _Off(found, goal, signed, grain, float(times_off(found, goal)))
+    signed = float(apart(found, goal, taken.signed or cell.direction))
+    times = 0.0 if cell.direction else float(times_off(found, goal))  # near 0 it means nothing
+    return _Off(found, goal, signed, grain, times)
 
 
 def _own(drawing: Comparison, taken: Taken) -> _Own | None:

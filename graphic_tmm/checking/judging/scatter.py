@@ -15,7 +15,7 @@ import numpy as np
 from graphic_tmm.board.hand import Hand
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.checking.cells import Cell, Key, cells, figures, points, spots
+from graphic_tmm.checking.cells import Cell, Key, cells, figures, points, spots, turned_near
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.own_errors import apart, exact
 from graphic_tmm.checking.judging.taken_marks import Reader
@@ -207,7 +207,9 @@ def limited_figure(
     goal = _figure(due, in_mm)
     assert goal is not None
     figures = _read(figures, goal, key, due, by, in_mm)
-    off = np.asarray(apart(figures, goal))
+    if due.direction:
+        figures = turned_near(figures, goal)
+    off = np.asarray(apart(figures, goal, due.direction))
     found = limited(np.sort(np.abs(off)), limits)._replace(drawn=_whole(off, by))
     near = figures.size > 0 and float(np.max(times_off(figures, goal))) <= NEAR
     return found._replace(times=ABSURD) if near else found

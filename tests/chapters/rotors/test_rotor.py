@@ -14,6 +14,9 @@ from support.boards import in_usual_size
 from graphic_tmm.chapters.rotors.plan import BEARING_MOMENTS, END, MOMENTS, ROTOR_PLAN
 from graphic_tmm.chapters.rotors.table import rotor_results, weight_table
 from graphic_tmm.chapters.rotors.views import rotor_views
+from graphic_tmm.checking.cells import RESULTS
+from graphic_tmm.checking.check import check
+from graphic_tmm.checking.records import FINE, WRONG, Taken
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError
 from graphic_tmm.readers.findings import warnings
@@ -195,6 +198,23 @@ def test_the_table_has_a_row_for_each_mass_and_counterweight(tmp_path: Path) -> 
     texts = [label.text for label in weight_table(drawn).labels]
     for told in ("1", "2", "3", "4", "I", "II", "−100", "353", "184.1", "−1.6", "400"):
         assert told in texts, told
+
+
+@pytest.mark.parametrize("due", [0.1, 179.9, -110.0])
+def test_an_angle_is_judged_as_a_direction(due: float, tmp_path: Path) -> None:
+    """A whole turn more is the same; half a turn is not, nor the other sense: also where signs change."""
+    masses = [(1.0, 0.1, due + off, 0.0) for off in (160.0, 200.0)]
+    scene = read(scene_of(tmp_path, masses, "radius = 0.1"))
+
+    def verdict(angle: float) -> str:
+        taken = Taken(RESULTS, "", "rotor_alpha_k", value=round(angle, 1), unit="°")
+        return check(scene, [taken], trials=200).readings[0].verdict
+
+    for turn in (-360.0, 0.0, 360.0):
+        for off in (-0.4, 0.4):
+            assert verdict(due + turn + off) == FINE, (turn, off)
+    for angle in (due + 180.0, due - 9.0, due + 9.0, *([-due] if due == -110.0 else [])):
+        assert verdict(angle) == WRONG, angle
 
 
 @pytest.mark.parametrize(
