@@ -28,6 +28,7 @@ _B, _I, _FLYWHEEL = (
     said("F", context="index: flywheel"),
 )
 _C, _S = said("c", context="index: cover side"), said("s", context="index: shaft side")
+_COUNTERWEIGHT = said("c", context="index: counterweight")
 _MEAN = said("mean", context="index")
 _ZH = said("Zh", context="index: Zhukovsky")
 _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
@@ -36,7 +37,8 @@ _WORDS: Sequence[tuple[str, str, tuple[Said, ...]]] = (
     (r"([PM])_\{b(\d+)\}", r"\1_{%s\2}", (_B,)),
     (r"([PM])_(?:b|\{b\})(?![a-z\d])", r"\1_{%s}", (_B,)),
     (r"(?:(?<=[yh]_\{[PM])|(?<=[yh]_\{−[PM]))b(?=\d*[}^])", "%s", (_B,)),
-    (r"([PM]_\{|[yh]_\{(?:−?F)?[PM]|F_\{M|h_\{)i(?=\d)", r"\1%s", (_I,)),
+    (r"([PM]_\{|[yh]_\{(?:−?F)?[PM]|F_\{M|h_\{)i(?=c?\d)", r"\1%s", (_I,)),
+    (r"([PM]_\{\w|[yh]_\{P\w|h_\{\w|[mrDα]_\{)c(?=\d+\})", r"\1%s", (_COUNTERWEIGHT,)),
     (r"(P_\{?|[yh]_\{P)in", r"\1%s", (said("in", context="index: inertia"),)),
     (r",ser\}", ",%s}", (said("ser", context="index: series"),)),
     (r"A_\{ex\}", "A_{%s}", (said("ex", context="index: excess"),)),

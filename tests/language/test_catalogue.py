@@ -48,6 +48,7 @@ RUSSIAN_BY_NATURE = {
     "scene/author.py": "input: Russian synonyms of choices; examples of an author's words",
     "scene/drawing.py": "input: Russian synonyms of choices; the example of a title",
     "scene/mechanism.py": "input: Russian synonyms of choices",
+    "chapters/balance/task.py": "input: Russian synonyms of choices",
     "chapters/diagrams/task.py": "input: Russian synonyms of choices",
     "chapters/engine/task.py": "input: Russian synonyms of choices",
     "chapters/flywheel/task.py": "input: Russian synonyms of choices",

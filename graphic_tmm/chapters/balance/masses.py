@@ -197,8 +197,8 @@ def _slider(work: _Work, leg: PinLeg, slider: int, pin: str) -> None:
         return
     share = work.order.share if work.order.share is not None else HALF
     draft = work.bench.draft
-    for one in _in_two(work, leg.link, leg.letter, pin):
-        if one.at == leg.letter:
+    for one, outer in _in_two(work, leg.link, leg.letter, pin):
+        if outer:
             work.put(leg.body, one)
         elif share > 0.0:
             draft.open(MASSES)
@@ -227,19 +227,19 @@ def _stone(work: _Work, closing: Closing, stone: int) -> None:
 
 def _split(work: _Work, leg: PinLeg, pin: str, rocker: int) -> None:
     """Put what a coupler bears into both its pins."""
-    for one in _in_two(work, leg.link, leg.letter, pin):
-        work.put(leg.body if one.at == leg.letter else rocker, one)
+    for one, outer in _in_two(work, leg.link, leg.letter, pin):
+        work.put(leg.body if outer else rocker, one)
 
 
-def _in_two(work: _Work, link: int, first: str, second: str) -> Iterator[Borne]:
-    """Yield what a link bears as masses at two of its letters."""
+def _in_two(work: _Work, link: int, first: str, second: str) -> Iterator[tuple[Borne, bool]]:
+    """Yield what a link bears as masses at two of its letters, each with whether it is at the first."""
     points, draft = work.points(link), work.bench.draft
     for one in work.borne.pop(link, []):
         place = points[one.at]
-        for pin, other in ((first, second), (second, first)):
+        for pin, other, outer in ((first, second, True), (second, first, False)):
             far, whole = place - points[other], points[pin] - points[other]
             if abs(place - points[pin]) <= SAME_PLACE * abs(whole):
-                yield one._replace(at=pin)
+                yield one._replace(at=pin), outer
                 break
             if abs(far) <= SAME_PLACE * abs(whole):
                 continue
@@ -249,7 +249,7 @@ def _in_two(work: _Work, link: int, first: str, second: str) -> Iterator[Borne]:
             tag = f"{one.tag}{pin}"
             mass = draft.draw(f.at_pin, f"m_{{{tag}}}", one.mass, apart, length, unit="kg")
             turned = one.turned + math.degrees(cmath.phase(far / whole))
-            yield Borne(tag, mass, pin, turned)
+            yield Borne(tag, mass, pin, turned), outer
 
 
 def _drawn_to_pivot(work: _Work, leg: PinLeg) -> None:
