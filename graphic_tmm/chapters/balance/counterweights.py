@@ -20,6 +20,9 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Bench
 
+LETTERS = "KQWUVXYZ"
+"""What the mass centre of a counterweight is called, with the number of its link: the first that is free."""
+
 
 class Arm(NamedTuple):
     """How a link turns: the letter that it turns about, and that of its pin; "" where a guide is in its place.
@@ -102,7 +105,9 @@ def draw_weight(
     """Draw a counterweight in all positions; ``of``: its mass, its radius, its angle from the link's axis."""
     draft, body, (mass, radius, angle) = bench.draft, plans.positions.bodies[link], of
     draft.open(COUNTERWEIGHTS)
-    pivot, letter = body.marks[arm_of(plans, link).pivot], f"K_{{{link}}}"
+    pivot = body.marks[arm_of(plans, link).pivot]
+    known = {one for other in plans.mechanism.by_number.values() for one in other.points}
+    letter = next(name for k in LETTERS if (name := f"{k}{link}") not in known)
     name = f"{pivot.letter}{letter}"
     if isinstance(angle, float):
         line = incline_by(draft, name, pivot, body.axis, angle, why.COUNTERWEIGHT_LINE)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark, Step
@@ -16,7 +16,7 @@ from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.mark_rules import curve
-from graphic_tmm.paper.rules import segment
+from graphic_tmm.paper.rules import laid_off, segment
 from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
@@ -63,8 +63,18 @@ def draw_polar(
     stays = {*marks, *heads}
     manner = Manner({lay_off.name: side}, lambda seen, step: step.it in stays, marks)
     traces = figure(seen, manner)
+    traces.rubbed += tuple(_others(seen, heads, at))
     strokes = [*traces.staying, *body(pole(0j), "pole", [made.pole])]
     return traces.drawing(on, strokes, _letters(on, made, seen, names, at))
+
+
+def _others(seen: Seen, heads: Mapping[Mark, str], at: int) -> Iterator[Ink]:
+    """The sides of the polygons in all other positions: rubbed out once their ends are joined to the pole."""
+    for step in seen.steps:
+        for k in seen.positions if step.it in heads else ():
+            if k != at:
+                for stroke in laid_off(seen, step, k):
+                    yield stroke._replace(of=(step.it.slot,), position=k)
 
 
 def _letters(

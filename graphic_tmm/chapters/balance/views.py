@@ -71,7 +71,7 @@ def _unbalance(drawn: Drawn, one: Unbalance, lettered: bool) -> Drawing:
         mu_text(drawn.scales[one.view], language),
         f"{symbol(one.moment.name, language)} = {figure}",
     )
-    return with_caption(draw_unbalance(on, one), on, lettered, *lines)
+    return with_caption(draw_unbalance(on, one), on, lettered, *lines, known=[one.moment])
 
 
 def worst(drawn: Drawn, made: Balance) -> int:
@@ -94,7 +94,8 @@ def _polar(drawn: Drawn, made: Balance, lettered: bool) -> Drawing:
             if one is made.weighted:
                 left = number(drawn.value(one.top), language)
                 lines.append(f"{one.top.name} = {left} {unit('mm', language)}")
-    return with_caption(view, on, lettered, *lines)
+    known = [one.top for one in made.wholes]
+    return with_caption(view, on, lettered, *lines, known=known)
 
 
 def _graph(drawn: Drawn, made: Balance, lettered: bool) -> Drawing:
