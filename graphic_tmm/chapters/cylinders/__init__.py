@@ -33,7 +33,7 @@ from graphic_tmm.scene.chapter import Chapter, Place
 
 CHAPTER = Chapter(
     name=CYLINDERS,
-    number=16,
+    number=19,
     board=CYLINDERS,
     builds_on=("rotors",),
     places=(Place(CYLINDERS, 132), Place(f"{CYLINDERS} given", attends=CYLINDERS)),
