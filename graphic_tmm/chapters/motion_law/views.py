@@ -94,7 +94,9 @@ def _diagrams(drawn: Drawn, law: MotionLaw, lettered: bool) -> Iterator[Drawing]
     names = [escape(name) for name in drawn.names[:count]]
     own = law.inertia
     spots = [Spot(law.points.row, k, name) for k, name in enumerate(names)]
-    spots.append(Spot(law.points.end, 0, f"{names[0]} ({count})"))
+    names.append(f"{names[0]} ({count})")
+    spots.append(Spot(law.points.end, 0, names[-1]))
+    ends = names[law.order.motor.step :][:2] if law.order.motor is not None else []
     energy = on_axis("T", unit("J", language))
     red = on_axis(symbols.symbol("J_r", language), unit("kg·m²", language))
     omega = on_axis("ω", unit("1/s", language))
@@ -108,13 +110,19 @@ def _diagrams(drawn: Drawn, law: MotionLaw, lettered: bool) -> Iterator[Drawing]
     ]
     if law.motor is not None:
         cross, moment = law.motor.axes, on_axis("M", unit("N·m", language))
-        at = [Spot(law.step.moment, 0, "k")] if law.step is not None else []
+        at = [Spot(law.step.moment, 0, ends[0])] if law.step is not None else []
         one = Diagram(MOTOR, cross.along, cross.up, [(law.motor.curve, "")], at)
         found.append((one, (moment, omega), [mu_text(scales[MOTOR], language), mu_omega]))
     if law.step is not None:
         step = law.step
         curves = [(step.parabola, "Jω²/2"), (step.energy, "T + ΔA + A_{m}")]
-        one = Diagram(STEP, step.axes.along, step.axes.up, curves, [Spot(step.point, 0, "k+1")])
+        one = Diagram(
+            STEP,
+            step.axes.along,
+            step.axes.up,
+            curves,
+            [Spot(step.point, 0, ends[1])],
+        )
         found.append((one, (energy, omega), [mu_text(scales[ENERGY], language), mu_omega]))
     for one, axes, texts in found:
         on = subject(drawn, captions(language)[one.view], MOTION_LAW)

@@ -48,9 +48,14 @@ def value(of: Drawn, mark: Mark | None) -> float:
 
 
 def off(found: np.ndarray, due: np.ndarray, least: float = 0.05) -> float:
-    """The greatest error as a share of the speed, of the ``least`` share of the greatest where it is less."""
-    assert (np.isfinite(found) == np.isfinite(due)).all(), "the same positions are reached"
-    return float(np.nanmax(np.abs(found - due) / np.maximum(due, least * np.nanmax(due))))
+    """The greatest error as a share of the speed, of the ``least`` share of the greatest where it is less.
+
+    Only a position in which the machine is about as slow may be reached by one and not by the other.
+    """
+    slow = least * max(np.nanmax(due), 1e-9)
+    only = np.isfinite(found) != np.isfinite(due)
+    assert (np.nan_to_num(found) + np.nan_to_num(due))[only].max(initial=0.0) < slow
+    return float(np.nanmax(np.abs(found - due) / np.maximum(due, slow)))
 
 
 @pytest.mark.slow
