@@ -45,6 +45,26 @@ def until_rest(of: Length, *, row: int) -> Length:
     return Length(found)
 
 
+@formula(why=said("In the first position this moment turns the machine, or holds it."))
+def moment_at(ordinate: Length, mu: Number) -> Number:
+    """{ordinate}·{mu}"""
+
+
+@operation(
+    symbol=FREE,
+    across=True,
+    everywhere=True,
+    why=said("A machine at rest starts only where the moment in the first position drives it."),
+)
+def from_rest(of: Number, first: Number) -> Number:
+    """Keep {of} if {first} of the first position does not hold the machine: {it}."""
+    of, first = alike(of, first)
+    held = first[:, :1] < -LEVEL * np.nanmax(np.abs(first), axis=1, keepdims=True, initial=0.0)
+    return Number(
+        np.concatenate([of[:, :1], np.where(held, -np.abs(of[:, 1:]), of[:, 1:])], axis=1)
+    )
+
+
 @operation(
     symbol=FREE,
     across=True,

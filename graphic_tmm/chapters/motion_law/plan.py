@@ -44,7 +44,7 @@ from graphic_tmm.chapters.motion_law.task import (
     WORK,
     MotionLawTask,
 )
-from graphic_tmm.chapters.motor.operations import inertia_on_crank
+from graphic_tmm.chapters.motor.operations import inertia_on_crank, pull_at_rest
 from graphic_tmm.chapters.motor.operations_run import (
     run_up,
     run_up_end,
@@ -157,6 +157,7 @@ class _Law(ByMotor):
     curve: Mark
     ray_lines: Both
     known: Both
+    moment_read: Mark
     rest: Mark
 
     # ------------------------------------------------------------ what acts, and its work
@@ -183,6 +184,7 @@ class _Law(ByMotor):
         self.moment_points = graphs.lay_ordinates(draft, self.moment_axes, heights, "k")
         self.moment_curve = graphs.taut(draft, self.moment_axes, self.moment_points)
         read = graphs.measure_ordinates(draft, self.moment_axes, self.moment_points.points, "M")
+        self.moment_read = read
         self.chart(MOMENT, "M", "N·m", mu, read)
 
     def works(self) -> None:
@@ -256,7 +258,18 @@ class _Law(ByMotor):
         draft = self.draft
         draft.open(ENERGY)
         mu = draft.scale("μ_T", "J/mm")
-        self.known = known = self._known()
+        known = self._known()
+        if not (self.order.start or self.order.steady):
+            first = draft.draw(
+                op.moment_at, "M_1", self.moment_read, self.moment_axes.mu, unit="N·m"
+            )
+            if self.motor is not None:
+                pull = draft.draw(
+                    pull_at_rest, "M_p", self.motor.curve, self.motor.mu_M, unit="N·m"
+                )
+                first = draft.draw(added, "M_{1p}", first, pull, unit="N·m")
+            known = known._replace(row=draft.draw(op.from_rest, "T_d", known.row, first, unit="J"))
+        self.known = known
         heights = self.both(to_board, "y_T", (known.row, mu), (known.end, mu))
         axes = graphs.draw_axes(draft, ENERGY, self.base, mu)
         kept = draft.draw(op.until_rest, "y′", heights.row, row=self.row)

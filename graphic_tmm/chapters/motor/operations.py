@@ -149,6 +149,14 @@ def on_to(
     return Curve(x + 1j * y, step + 1j * rise, False)
 
 
+@operation(
+    symbol="E1 + E2", across=True, why=said("The characteristic begins with the pull at rest.")
+)
+def pull_at_rest(motor: Curve, mu: Number) -> Number:
+    """Measure {it} at the beginning of {motor}."""
+    return Number(motor.knots.imag[:, :1] * mu[:, :1])
+
+
 # ------------------------------------------------------------ one step
 
 

@@ -200,6 +200,15 @@ def test_a_motor_that_is_too_weak_is_stopped_by_its_load(tmp_path: Path) -> None
     assert any("comes to rest at φ" in one for one in warnings(made, "en"))
 
 
+def test_a_machine_that_is_held_at_first_does_not_start(tmp_path: Path) -> None:
+    """Over the first interval its loads would drive it, but in the first position they hold it."""
+    of, motor = driven(31)
+    assert of.M(0.0) + motor(0.0) < 0.0 < of.M(TURN / 24) + motor(0.0)
+    made = drawn(tmp_path, of, 24)
+    assert np.isnan(speeds(made)[1:]).all()
+    assert any("the machine does not start" in one for one in warnings(made, "en"))
+
+
 POUND_INCH = 0.1129848
 
 
