@@ -160,6 +160,7 @@ PARTS: dict[str, str] = {
     "centre": said("mass centres"),
     "circle": said("circles"),
     "contour": said("contours"),
+    "counterweight": said("counterweights"),
     "couple": said("couples"),
     "crank": said("cranks"),
     "cylinder": said("cylinders"),

@@ -82,7 +82,7 @@ def check_full(made: Drawn) -> None:
 def test_full_balance_leaves_nothing_and_holds_the_centre(
     text: Callable[..., str], in_line: bool, tmp_path: Path, many: Callable[[int, int], int]
 ) -> None:
-    for seed in range(many(100, 4)):
+    for seed in range(many(30, 4)):
         pick = random.Random(seed)
         told = pick.choice(("", "[[counterweight]]\nlink = 1\nradius = 0.07\n"))
         told += pick.choice(("", "[[counterweight]]\nlink = {}\nmass = 5.5\n"))
@@ -99,7 +99,7 @@ SIX = (
 
 def test_full_balance_of_two_groups(tmp_path: Path, many: Callable[[int, int], int]) -> None:
     """A slider on a rod that hangs on the rocker: its rod's counterweight makes it a mass at the pin."""
-    for seed in range(many(40, 3)):
+    for seed in range(many(20, 3)):
         text = four_bar_text(random.Random(seed))
         text = text.replace("[frame]\n", '[frame]\ny = { through = [0.5, 0], angle = "60 deg" }\n')
         head, drive = text.split("[drive]")
