@@ -15,6 +15,7 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.mark_rules import curve
 from graphic_tmm.paper.rules import laid_off, segment
 from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
@@ -63,12 +64,12 @@ def draw_polar(
     stays = {*marks, *heads}
     manner = Manner({lay_off.name: side}, lambda seen, step: step.it in stays, marks)
     traces = figure(seen, manner)
-    traces.rubbed += tuple(_others(seen, heads, at))
+    traces.rubbed += tuple(_rubbed_sides(seen, heads, at))
     strokes = [*traces.staying, *body(pole(0j), "pole", [made.pole])]
     return traces.drawing(on, strokes, _letters(on, made, seen, names, at))
 
 
-def _others(seen: Seen, heads: Mapping[Mark, str], at: int) -> Iterator[Ink]:
+def _rubbed_sides(seen: Seen, heads: Mapping[Mark, str], at: int) -> Iterator[Ink]:
     """The sides of the polygons in all other positions: rubbed out once their ends are joined to the pole."""
     for step in seen.steps:
         for k in seen.positions if step.it in heads else ():
@@ -143,5 +144,14 @@ def weight_letters(on: Subject, seen: Seen, weights: Sequence[Weight], k: int) -
     for one in weights:
         at = seen.point(one.at, k)
         if finite(at) and seen.number(one.mass, k) > 0.0:
-            text = symbol(one.at.letter, on.language)
+            text = markup(one.at.letter)
             yield Wanted(text, at, on.heights.point, WEIGHT, of=(one.at.slot,), position=k)
+
+
+def pull_letters(on: Subject, seen: Seen, made: Balance, k: int) -> Iterator[Wanted]:
+    """Yield the letters of the inertia forces at the points that they act at, in a position."""
+    for one in made.pulls:
+        at, _ = seen.line(one.line, k)
+        if finite(at):
+            text = bar(symbol(one.letter, on.language))
+            yield Wanted(text, at, on.heights.point, 1.0, of=(one.line.slot,), position=k)

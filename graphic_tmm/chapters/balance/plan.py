@@ -89,7 +89,7 @@ class Balance:
 
     ``bare``: of the links; ``weighted``: with the counterweights, ``removed``: what these take away, %; None
     where there are none. ``about``: the letter of the point of the moments; ``base``, ``chart``: their graph.
-    ``unbalances``: of links whose counterweights were found.
+    ``unbalances``: of links whose counterweights were found; ``pulls``: the inertia forces.
     """
 
     order: BalanceTask
@@ -104,6 +104,7 @@ class Balance:
     base: Base
     chart: Chart
     unbalances: tuple[Unbalance, ...] = ()
+    pulls: tuple[Pull, ...] = ()
 
     @property
     def wholes(self) -> tuple[Whole, ...]:
@@ -143,7 +144,7 @@ def record(bench: Bench) -> Balance | None:
     more = [pull for one in weights for pull in _of_weight(bench, plans, one, at)]
     bench.tell(ACCELERATIONS, range(len(bench.names)))
     made = _draw(bench, plans, order, about, (pulls, couples, more, tuple(weights)))
-    return replace(made, unbalances=found)
+    return replace(made, unbalances=found, pulls=(*pulls, *more))
 
 
 def _links(draft: Draft, plans: KinematicPlans, at: Mark) -> tuple[list[Pull], list[Mark]]:
@@ -279,9 +280,9 @@ def _whole(
     curve = draft.draw(
         french_curve, f"({end.letter}–{end.letter})", end, row=row, why=why.HODOGRAPH
     )
-    far = draft.draw(farthest, f"f_{{max}}{prime}", pole, end, row=row, why=why.LARGEST)
+    far = draft.draw(farthest, f"f{prime}_{{max}}", pole, end, row=row, why=why.LARGEST)
     top = draft.draw(measure, f"{pole.letter}{far.letter}", pole, far, why=why.LARGEST)
-    most = draft.draw(in_si, f"Φ_{{max}}{prime}", top, unit="N")
+    most = draft.draw(in_si, f"Φ{prime}_{{max}}", top, unit="N")
     draft.open(MOMENT)
     height = draft.draw(to_board, f"y_{{M{prime}}}", total, graph.mu)
     at = graphs.lay_ordinates(draft, axes, height, f"q{prime}")
@@ -290,5 +291,5 @@ def _whole(
     level = draft.draw(lay_off, f"t{prime}", axes.up, height, why=why.LEVELLED)
     highest = draft.draw(farthest, f"u{prime}", axes.origin, level, row=row, why=why.LARGEST)
     high = draft.draw(measure, f"Ou{prime}", axes.origin, highest, why=why.LARGEST)
-    greatest = draft.draw(in_si, f"M_{{max}}{prime}", high, unit="N·m")
+    greatest = draft.draw(in_si, f"M{prime}_{{max}}", high, unit="N·m")
     return Whole(end, length, value, curve, top, most, total, ordinate, high, greatest)

@@ -7,6 +7,7 @@ import numpy as np
 from graphic_tmm.chapters.balance.ink import (
     draw_polar,
     draw_unbalance,
+    pull_letters,
     weight_letters,
     weight_strokes,
 )
@@ -18,7 +19,7 @@ from graphic_tmm.chapters.balance.table import (
     balance_results,
     moment_title,
 )
-from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, FORCE, MOMENT
+from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, FORCE, INERTIA, MOMENT
 from graphic_tmm.chapters.balance.words import called
 from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
@@ -33,6 +34,7 @@ from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import small, unit
 from graphic_tmm.paper.axes import on_axis
 from graphic_tmm.paper.drawing import Drawing
+from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.graph import Names, draw_graph
 from graphic_tmm.paper.lettering.letters import escape
@@ -48,7 +50,7 @@ def balance_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         return []
     language, high = drawn.scene.language, heights(drawn.scene, BALANCE)
     schemes = [_unbalance(drawn, one, lettered) for one in made.unbalances]
-    schemes += [_scheme(drawn, made, lettered)] if made.weights else []
+    schemes.append(_scheme(drawn, made, lettered))
     words = captions(language)
     rows = [
         [words[name], number(value, language, 3 if of == "%" else 4), unit(of, language)]
@@ -116,23 +118,29 @@ def _graph(drawn: Drawn, made: Balance, lettered: bool) -> Drawing:
 
 
 def _scheme(drawn: Drawn, made: Balance, lettered: bool) -> Drawing:
-    """Return the mechanism in its main position with the counterweights at their radii, to scale."""
+    """Return the mechanism in its main position: inertia forces with arms, counterweights at their radii."""
     language, k = drawn.scene.language, drawn.main
     words = captions(language)
-    title = f"{words[COUNTERWEIGHTS]}, {words['position']} {escape(drawn.names[k])}"
-    on = subject(drawn, title, BALANCE, name=COUNTERWEIGHTS)
-    seen = on.seen((COUNTERWEIGHTS,), [k])
-    strokes = tuple(weight_strokes(seen, made.weights, k))
+    which = COUNTERWEIGHTS if made.weights else INERTIA
+    title = f"{words[which]}, {words['position']} {escape(drawn.names[k])}"
+    on = subject(drawn, title, BALANCE, name=which)
+    seen = on.seen((COUNTERWEIGHTS, INERTIA), [k])
+    traces = figure(seen, Manner(stays=lambda _, step: not made.weights))
+    strokes = (*traces.staying, *weight_strokes(seen, made.weights, k))
     view = draw_position_ink(on, reaches(drawn), k, strokes)
-    wanted = (*view.wanted, *weight_letters(on, seen, made.weights, k))
-    view = view._replace(wanted=wanted, role=SCHEME)
+    letters = weight_letters(on, seen, made.weights, k)
+    view = view._replace(
+        wanted=(*view.wanted, *(letters if made.weights else pull_letters(on, seen, made, k))),
+        rubbed=(*view.rubbed, *traces.rubbed),
+        shows=(*view.shows, *seen.views),
+        role=SCHEME,
+    )
     lines = [mu_text(drawn.scales[POSITIONS], language)]
     for one in made.weights:
         told = []
         for mark in (one.mass, one.radius):
-            value, of = small(drawn.value(mark), language) if mark is one.radius else (
-                drawn.value(mark), mark.unit
-            )  # fmt: skip
+            value, of = drawn.value(mark), mark.unit
+            value, of = small(value, language) if mark is one.radius else (value, of)
             letter = symbol(mark.name, language)
             told.append(f"{letter} = {number(value, language, 4)} {unit(of, language)}")
         lines.append(", ".join(told))
