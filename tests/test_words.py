@@ -71,7 +71,7 @@ def _each(a: Span, what: Callable[[float], float]) -> Span:
     return Span(low, high)
 
 
-UNIT = re.compile(r"\d( мм| м| м/с²?| с⁻[¹²]|°)$")
+UNIT = re.compile(r"[\d⁰¹²³⁴-⁹]( мм| м²?| м/с²?| с⁻[¹²]|°)$")
 NUMBER = re.compile(r"(\d+(?:,\d+)?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?°?")
 RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 
@@ -130,6 +130,9 @@ class Reader:
     def atom(self) -> Span:
         for start, end, what in (
             ("sin(", ")", lambda x: math.sin(math.radians(x))),
+            ("cos(", ")", lambda x: math.cos(math.radians(x))),
+            ("tg(", ")", lambda x: math.tan(math.radians(x))),
+            ("√(", ")", lambda x: math.sqrt(max(x, 0.0))),
             ("(", ")", lambda x: x),
             ("|", "|", abs),
         ):
@@ -169,6 +172,8 @@ def agrees(calculation: str) -> bool:
         ("x = a = 2,5·10⁻⁷·2 = 5·10⁻⁶", False),
         ("x = a = 0,48·sin(33,06°/2) = 0,1366", True),
         ("x = a = 0,48·sin(33,06°/2) = 0,1367", False),
+        ("x = a = √(2² + 3·tg(45°)) − cos(60°) = 2,146", True),
+        ("x = a = √(2² + 3·tg(45°)) − cos(60°) = 2,16", False),
     ],
 )
 def test_the_evaluator_tells_right_from_wrong(text: str, due: bool) -> None:

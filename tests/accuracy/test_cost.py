@@ -195,7 +195,7 @@ def test_operations_are_as_many_as_execution_leaves_numbers(name: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("name", NAMES)
 def test_work_grows_by_the_same_with_every_position(name: str) -> None:
-    ((log, given),) = logs(name)
+    log, given = logs(name)[0]
     one, two, many = (count(log, varying(given), positions=n).simplicity for n in (1, 2, 100))
     assert two > one
     assert many - one == 99 * (two - one)
@@ -203,7 +203,7 @@ def test_work_grows_by_the_same_with_every_position(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_work_of_all_is_that_of_the_steps_together(name: str) -> None:
-    ((log, given),) = logs(name)
+    log, given = logs(name)[0]
     every = done(log, varying(given), positions=7)
     assert [one.step for one in every] == list(log.steps)
     found: Counter[str] = Counter()
@@ -215,7 +215,7 @@ def test_the_work_of_all_is_that_of_the_steps_together(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_a_plan_costs_what_its_own_steps_add(name: str) -> None:
-    ((log, given),) = logs(name)
+    log, given = logs(name)[0]
     varies = varying(given)
     before: list[Mark] = []
     last = NOTHING

@@ -36,7 +36,7 @@ from support.tex_sums import Unread, Worked, sides_of, worked_out
 
 SPARE = 1.02
 """How much further than its rounding a sum may be off: figures are rounded more than once."""
-INTERNATIONAL = {"sin", "cos", "arcsin", "arccos", "arctg", "inv", "arcinv", "sgn", "const"}
+INTERNATIONAL = {"ln", "sin", "cos", "arcsin", "arccos", "arctg", "inv", "arcinv", "sgn", "const"}
 INTERNATIONAL |= {"max", "min"}
 """What Russian books write in Latin letters, too."""
 NEVER = {

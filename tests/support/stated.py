@@ -12,7 +12,7 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from support.tex_sums import _TURNED, DIGITS, Unread, Worked, _Reader, half_of, sides_of, with_tan
+from support.tex_sums import DIGITS, Unread, Worked, _Reader, half_of, sides_of, with_tan
 
 SPARE = 1.02
 _STRUCTURE = frozenset(
@@ -36,10 +36,11 @@ _UNIT = re.compile(r"\s*(?:\\text\{[^{}\d]*\}|(?<=\d)\s+[^\d\s\\(·+−=%-][^+�
 
 
 class Stated(NamedTuple):
-    """A value as it was stated, and how far off its last digit may put it."""
+    """A value as it was stated, how far off its last digit may put it, whether it is one in degrees."""
 
     value: float
     half: float
+    turned: bool = False
 
     def is_of(self, size: Stated) -> bool:
         """Whether it may be so large."""
@@ -89,17 +90,19 @@ class _Letters(_Reader):
         self._leaf("figure", text, 1)
         return super().figure(text)
 
-    def called(self, name: str) -> float:
-        before = len(self.seen)
-        value = super().called(name)
-        if name in _TURNED and len(self.seen) > before:
-            raise Unread(name)  # in degrees or not: a letter does not say it
-        return value
+    def degrees(self, start: int) -> bool:
+        inside = _Letters("", self.known)
+        inside.tokens, inside.at = self.tokens[start : self.at], 0
+        inside.sum()
+        if inside.seen and not all(self.known[name].turned for name in inside.seen):
+            raise Unread(inside.seen[0])  # in degrees or not: a letter does not say it
+        return bool(inside.seen) or super().degrees(start)
 
     def word(self, text: str) -> float:
         value = super().word(text)
         kind, figure, _ = self.leaves.pop()
-        self.leaves.append((kind, figure, value < 0))
+        unit = "°" if text.endswith("°") and not figure.endswith("°") else ""
+        self.leaves.append((kind, figure + unit, value < 0))
         return value
 
     def _leaf(self, kind: str, text: str, tokens: int) -> None:
@@ -180,7 +183,7 @@ class _Any(dict[str, Stated]):
         return True
 
     def __missing__(self, name: str) -> Stated:
-        return Stated(1.0 + sum(map(ord, name)) % 97 / 50, 0.0)
+        return Stated(1.0 + sum(map(ord, name)) % 97 / 50, 0.0, True)
 
 
 def put_in(side: str, known: Known) -> Worked:
@@ -322,4 +325,4 @@ def _number(side: str) -> Stated | None:
     half = half_of(figure) if unit in (None, "°") else 0.5 * 10.0 ** -len(decimals or "")
     if len(figure) > _WHOLE and decimals is None:
         half = 0.5 * 10.0 ** (len(figure) - DIGITS)  # it was told with a power of ten
-    return Stated(-float(figure) if minus else float(figure), half)
+    return Stated(-float(figure) if minus else float(figure), half, unit == "°")

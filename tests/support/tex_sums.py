@@ -251,7 +251,10 @@ class _Reader:
         raised = self.braced() if self.take("^") else 1.0
         start = self.at
         value = self.power()
-        degrees = any("°" in text for _, text in self.tokens[start : self.at])
-        if name in _TURNED and degrees:
+        if name in _TURNED and self.degrees(start):
             value = math.radians(value)
         return float(_FUNCTIONS[name](value) ** raised)
+
+    def degrees(self, start: int) -> bool:
+        """Whether an argument that began there is told in degrees."""
+        return any("°" in text for _, text in self.tokens[start : self.at])
