@@ -35,19 +35,11 @@ from graphic_tmm.scene.read import read
 OWN_BOARDS = {name for name, (one, _) in places().items() if one.board not in ("", MECHANISM)}
 ALONE = [name for name in NAMES if not gallery.scene(name).called & OWN_BOARDS]
 """Scenes of a mechanism alone: what stands on a board of its own has its own positions and scales."""
-<<<<<<< HEAD
-GRAPHS = ("diagrams", "flywheel", "forces", "engine", "motion_law")
-"""Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py."""
-OTHER_MU = {
-    "mu_diagram_S", "mu_diagram_V", "mu_diagram_a", "mu_base", "mu_p", "mu_M", "mu_A", "mu_T", "mu_J",
-    "mu_lever", "mu_motor", "mu_motor_speeds",
-=======
-GRAPHS = ("diagrams", "flywheel", "forces", "engine", "balance")
+GRAPHS = ("diagrams", "flywheel", "forces", "engine", "motion_law", "balance")
 """Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py, test_shaking.py."""
 OTHER_MU = {
     "mu_diagram_S", "mu_diagram_V", "mu_diagram_a", "mu_base", "mu_p", "mu_M", "mu_A", "mu_T", "mu_J",
-    "mu_lever", "mu_Phi", "mu_M_Phi",
->>>>>>> 61391cde (Show inertia forces and their arms on the mechanism; letters as the field knows them)
+    "mu_lever", "mu_motor", "mu_motor_speeds", "mu_Phi", "mu_M_Phi",
 }  # fmt: skip
 FORCE_UNITS = ("N", "kgf", "kgf·m")
 MU = {"positions": "mu_l", "velocities": "mu_v", "accelerations": "mu_a"}
@@ -92,13 +84,8 @@ def test_the_document_has_its_shape(name: str) -> None:
     assert made["results"]["W"] == 1
     for plan, scale in made["scales"].items():
         known = plan in MU.values() or plan in OTHER_MU
-<<<<<<< HEAD
-        parts = ("mu_F_", "mu_l_", "mu_phi_", "mu_S_")
-        assert known or plan.startswith(parts) or plan.endswith(("_engine", "_motion"))
-=======
         parts = ("mu_F_", "mu_l_", "mu_phi_", "mu_S_", "mu_D_")
-        assert known or plan.startswith(parts) or plan.endswith("_engine")
->>>>>>> 61391cde (Show inertia forces and their arms on the mechanism; letters as the field knows them)
+        assert known or plan.startswith(parts) or plan.endswith(("_engine", "_motion"))
         assert set(scale) == {"value", "unit"}
         assert scale["value"] > 0
     count = len(made["positions"])

@@ -54,14 +54,9 @@ def test_one_line_of_a_scene_changes_or_none(file: Path) -> None:
         kept = [line for line in after if line in before]
         assert len(after) - len(kept) <= (1 if one.written or one.path[0] in doc_of(data) else 3)
         now = {other.key: other.text for other in fields(made, file)}
-<<<<<<< HEAD
         # positions of a list need no brackets
         bare = [f"[{typed}]"] if one.kind == "list" else []
         assert now.get(one.key, "") in (typed.strip(), *bare)
-=======
-        # a row of positions may be typed without its brackets
-        assert now.get(one.key, "") in (typed.strip(), f"[{typed.strip()}]")
->>>>>>> bfc0c87d (Tell the plan of balance to the tests of names and tables)
 
 
 def doc_of(data: bytes) -> dict[str, Any]:
