@@ -15,7 +15,9 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.mechanism import synthesis_kinds as kinds
+from graphic_tmm.mechanism.synthesis_dwell import dwell
 from graphic_tmm.mechanism.synthesis_four_bar import crank_rocker
+from graphic_tmm.mechanism.synthesis_functions import function
 
 
 class SynthesisLog(NamedTuple):
@@ -54,7 +56,7 @@ KINDS: dict[str, SynthesisKind] = {
         _ways(("K_v stroke OB",)), ("OA", "BC", "OB"), kinds.rocker, ("K_v", "stroke")
     ),
     "slider-crank": SynthesisKind(
-        _ways(_STROKE, ("K_v e", "lambda", "lambda e", "pressure")),
+        _ways(_STROKE, ("K_v e", "lambda", "lambda e", "pressure", "pressure e")),
         ("OA", "AB", "e"),
         kinds.slider_crank,
         ("K_v", "lambda", "pressure", "stroke", "v_m"),
@@ -75,13 +77,19 @@ KINDS: dict[str, SynthesisKind] = {
         _ways(("crank rocker OA OC",)), ("OA", "AB", "BC", "OC"), kinds.angles, ("OA",)
     ),
     "function": SynthesisKind(
-        _ways(("x power crank rocker OA OC",)),
+        _ways(("x crank rocker OA OC",), ("power", "y", "values")),
         ("OA", "AB", "BC", "OC"),
-        kinds.function,
+        function,
         ("power", "OA"),
     ),
     "cylinder": SynthesisKind(
         _ways(_STROKE, ("psi",)), ("OA", "OC"), kinds.cylinder, ("psi", "stroke", "v_m")
+    ),
+    "dwell": SynthesisKind(
+        _ways(("OA AB BC OC M dwell tolerance E",)),
+        ("OA", "AB", "BC", "OC", "xM", "yM", "xE", "yE", "MD", "DE"),
+        dwell,
+        ("M", "E"),
     ),
 }
 """The kinds of tasks, by the name that a scene writes."""
@@ -97,7 +105,8 @@ def synthesis_log(kind: str, given: Mapping[str, Any]) -> SynthesisLog:
     """
     draft = Draft()
     draft.open("synthesis")
-    lengths = KINDS[kind].calculate(draft, given)
+    made, finds = KINDS[kind].calculate(draft, given), KINDS[kind].finds
+    lengths = {name: mark for name, mark in made.items() if name in finds}
     return SynthesisLog(draft.board.construction(), draft.given, lengths)
 
 

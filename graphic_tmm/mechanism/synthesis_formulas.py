@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.board.formula_text import define
+from graphic_tmm.board.values import Angle, Number, Reals
 from graphic_tmm.language.said import said
 
 _DEAD_ENDS = said(
@@ -14,6 +17,13 @@ _CIRCLE = said(
     "A point keeps its distance from its centre of turning, so that centre stands on the bisectors of two "
     "chords between its places; their equations give it."
 )
+
+
+def _ln(value: Reals) -> Reals:
+    return np.log(np.where(value > 0.0, value, np.nan))
+
+
+define("ln", _ln)
 
 
 @formula(
@@ -66,6 +76,18 @@ def rod_by_ratio(ratio: Number, crank: Number) -> Number:
 )
 def rod_by_pressure(crank: Number, pressure: Angle) -> Number:
     """{crank}/sin({pressure})"""
+
+
+@formula(
+    holds="sin({pressure}) ≠ 0",
+    fails="the pressure angle is zero",
+    why=said(
+        "The connecting rod stands most aslant where the crank is square to the guide, on the side away from "
+        "it: sin α = (r + e)/l."
+    ),
+)
+def rod_by_pressure_offset(crank: Number, offset: Number, pressure: Angle) -> Number:
+    """({crank} + {offset})/sin({pressure})"""
 
 
 @formula(why=said("Half the chord between both extreme places of B is the rocker times sin(ψ/2)."))
@@ -229,6 +251,49 @@ def link_length(x1: Number, y1: Number, x2: Number, y2: Number) -> Number:
     """√(({x2} − {x1})² + ({y2} − {y1})²)"""
 
 
+_DIAGONAL = said(
+    "B is the rod's length from A and the rocker's from C: the law of cosines gives how far along the diagonal "
+    "AC it lies, and how far off it."
+)
+_OF_COUPLER = said("The point lies in its coupler, which is turned and moved with AB.")
+
+
+@formula(holds="{far} > 0", fails="A stands in C", why=_DIAGONAL)
+def along_diagonal(rod: Number, rocker: Number, far: Number) -> Number:
+    """({rod}² + {far}² − {rocker}²)/(2·{far})"""
+
+
+@formula(holds="{rod}² ≥ {along}²", fails="the links do not close", why=_DIAGONAL)
+def off_diagonal(rod: Number, along: Number) -> Number:
+    """√({rod}² − {along}²)"""
+
+
+@formula(holds="{far} > 0", fails="A stands in C", why=_DIAGONAL)
+def pin_across(
+    x: Number, y: Number, pivot: Number, far: Number, along: Number, off: Number
+) -> Number:
+    """{x} + ({along}·({pivot} − {x}) + {off}·{y})/{far}"""
+
+
+@formula(holds="{far} > 0", fails="A stands in C", why=_DIAGONAL)
+def pin_up(x: Number, y: Number, pivot: Number, far: Number, along: Number, off: Number) -> Number:
+    """{y} + ({off}·({pivot} − {x}) − {along}·{y})/{far}"""
+
+
+@formula(holds="{rod} > 0", fails="the coupler has no length", why=_OF_COUPLER)
+def point_across(
+    x: Number, y: Number, end_x: Number, end_y: Number, rod: Number, across: Number, up: Number
+) -> Number:
+    """{x} + (({end_x} − {x})·{across} − ({end_y} − {y})·{up})/{rod}"""
+
+
+@formula(holds="{rod} > 0", fails="the coupler has no length", why=_OF_COUPLER)
+def point_up(
+    x: Number, y: Number, end_x: Number, end_y: Number, rod: Number, across: Number, up: Number
+) -> Number:
+    """{y} + (({end_y} − {y})·{across} + ({end_x} − {x})·{up})/{rod}"""
+
+
 @formula(
     holds="sin({swing}/2) ≠ 0",
     fails="the cylinder does not swing",
@@ -253,6 +318,16 @@ def chebyshev(low: Number, high: Number, share: Number) -> Number:
 @formula(holds="{x} > 0", fails="the argument is not positive", why=said("The function is given."))
 def power_function(x: Number, exponent: Number) -> Number:
     """{x}^{exponent}"""
+
+
+@formula(holds="{x} > 0", fails="the argument is not positive", why=said("The function is given."))
+def logarithm(x: Number) -> Number:
+    """ln({x})"""
+
+
+@formula(why=said("The function is given, its argument in degrees."))
+def sine(x: Number) -> Number:
+    """sin({x}·1°)"""
 
 
 @formula(

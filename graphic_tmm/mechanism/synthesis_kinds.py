@@ -9,14 +9,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import half_chord, sine_of_half, swing_angle
+from graphic_tmm.board.operations.locus import refinement
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Number
+from graphic_tmm.board.values import Angle, Number, Reals
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism import synthesis_formulas as f
@@ -68,7 +70,7 @@ def take_stroke(draft: Draft, given: Given) -> Mark:
 
 
 def slider_crank(draft: Draft, given: Given) -> Lengths:
-    """A slider-crank by its stroke and K_v with e, or λ (with e or not), or the greatest pressure angle."""
+    """A slider-crank by its stroke and K_v with e, or λ or the greatest pressure angle, with e or not."""
     _refuse_slider(given)
     stroke = take_stroke(draft, given)
     offset = draft.take(Number, "e", given["e"], "m") if given.get("e") else None
@@ -91,9 +93,45 @@ def slider_crank(draft: Draft, given: Given) -> Lengths:
             "AB": draft.draw(f.rod_by_ratio, "l_{AB}", times, crank, unit="m"),
             **own,
         }
-    crank = draft.draw(f.half_stroke, "l_{OA}", stroke, unit="m")
     aslant = draft.take(Angle, "[α]", given["pressure"], "°")
-    return {"OA": crank, "AB": draft.draw(f.rod_by_pressure, "l_{AB}", crank, aslant, unit="m")}
+    if offset is None:
+        crank = draft.draw(f.half_stroke, "l_{OA}", stroke, unit="m")
+        return {"OA": crank, "AB": draft.draw(f.rod_by_pressure, "l_{AB}", crank, aslant, unit="m")}
+    crank = crank_by_pressure(draft, given)
+    rod = draft.draw(f.rod_by_pressure_offset, "l_{AB}", crank, offset, aslant, unit="m")
+    return {"OA": crank, "AB": rod, **own}
+
+
+@dataclass(frozen=True)
+class StrokeOf:
+    """How much longer than wanted the stroke of a slider-crank is, its pressure angle given; of cranks (m)."""
+
+    wanted: float
+    offset: float
+    pressure: float
+
+    def __call__(self, crank: Reals) -> Reals:
+        """Return that of each crank, m."""
+        rod = (crank + self.offset) / math.sin(math.radians(self.pressure))
+        ends = (
+            np.sqrt(np.maximum(one**2 - self.offset**2, 0.0)) for one in (rod + crank, rod - crank)
+        )
+        far, near = ends
+        return np.asarray(far - near - self.wanted)
+
+
+TRY_CRANKS = said(
+    "Try cranks between {low} and {high}, each with the connecting rod of the pressure angle, each time "
+    "narrowing to where the stroke is what is wanted; this is {it}."
+)
+
+
+def crank_by_pressure(draft: Draft, given: Given) -> Mark:
+    """Look for the crank of a slider-crank with an offset: the stroke is longer the longer the crank is."""
+    stroke = stroke_of(given)
+    ends = [draft.take(Number, "", one, "m") for one in (0.0, stroke)]
+    tried = StrokeOf(stroke, given["e"], given["pressure"])
+    return draft.draw(refinement(tried, TRY_CRANKS, Number), "l_{OA}", *ends, unit="m")
 
 
 def _refuse_slider(given: Given) -> None:
@@ -146,7 +184,9 @@ def refuse_line(places: Sequence[complex], letter: str, key: str) -> None:
     raise StructureError(says, key, head="task")
 
 
-def _circle(draft: Draft, places: Sequence[tuple[Mark, Mark]], letter: str) -> tuple[Mark, Mark]:
+def circle_through(
+    draft: Draft, places: Sequence[tuple[Mark, Mark]], letter: str
+) -> tuple[Mark, Mark]:
     """Calculate where the centre of the circle through three places stands."""
     (x1, y1), (x2, y2), (x3, y3) = places
     area = draft.draw(f.double_area, f"D_{letter}", x1, y1, x2, y2, x3, y3, unit="m²")
@@ -188,8 +228,8 @@ def coupler(draft: Draft, given: Given) -> Lengths:
                 draft.draw(f.end_up, f"Y_{{B{k}}}", y, length, alpha, unit="m"),
             )
         )
-    xO, yO = _circle(draft, first, "O")
-    xC, yC = _circle(draft, second, "C")
+    xO, yO = circle_through(draft, first, "O")
+    xC, yC = circle_through(draft, second, "C")
     return {
         "xO": xO,
         "yO": yO,
@@ -221,10 +261,11 @@ def angles(draft: Draft, given: Given) -> Lengths:
         for letter, row in (("φ", given["crank"]), ("ψ", given["rocker"]))
     ]
     refuse_line(inverted(given, given["crank"], given["rocker"]), "A", "task.rocker")
-    return _of_angles(draft, given, *take)
+    return of_angles(draft, given, *take)
 
 
-def _of_angles(draft: Draft, given: Given, crank: list[Mark], rocker: list[Mark]) -> Lengths:
+def of_angles(draft: Draft, given: Given, crank: list[Mark], rocker: list[Mark]) -> Lengths:
+    """Calculate the four-bar whose crank and rocker stand at three pairs of angles."""
     frame = draft.take(Number, "l_{OC}", given["OC"], "m")
     arm = draft.take(Number, "l_{OA}", given["OA"], "m")
     origin = [draft.take(Number, letter, 0.0, "m") for letter in ("X_{O}", "Y_{O}")]
@@ -237,75 +278,13 @@ def _of_angles(draft: Draft, given: Given, crank: list[Mark], rocker: list[Mark]
             x = draft.draw(f.turned_across, f"X_{{A{k}′}}", *back, unit="m")
             y = draft.draw(f.turned_up, f"Y_{{A{k}′}}", *back, unit="m")
         places.append((x, y))
-    xB, yB = _circle(draft, places, "B")
+    xB, yB = circle_through(draft, places, "B")
     return {
         "OA": arm,
         "AB": draft.draw(f.link_length, "l_{AB}", *places[0], xB, yB, unit="m"),
         "BC": draft.draw(f.link_length, "l_{BC}", frame, origin[1], xB, yB, unit="m"),
         "OC": frame,
     }
-
-
-SHARES = (-1.0, 0.0, 1.0)
-"""Chebyshev's spacing of three places: by these times cos 30° of half the range from its middle."""
-
-
-def pairs_of_function(given: Given) -> tuple[list[float], list[float]]:
-    """Return the angles of crank and rocker at which the function is met, degrees."""
-    low, high = given["x"]
-    x = [(low + high) / 2.0 + one * (high - low) * math.sqrt(3.0) / 4.0 for one in SHARES]
-    ends = [low ** given["power"], high ** given["power"]]
-    return (
-        [_scaled(one, (low, high), given["crank"]) for one in x],
-        [_scaled(one ** given["power"], ends, given["rocker"]) for one in x],
-    )
-
-
-def _scaled(value: float, of: Sequence[float], to: Sequence[float]) -> float:
-    return to[0] + (value - of[0]) / (of[1] - of[0]) * (to[1] - to[0])
-
-
-def take_pairs(draft: Draft, given: Given) -> tuple[list[Mark], list[Mark]]:
-    """Calculate the angles of crank and rocker at which the function y = x^p is met."""
-    low, high = (
-        draft.take(Number, f"x_{name}", x) for name, x in zip("0n", given["x"], strict=True)
-    )
-    exponent = draft.take(Number, "p", given["power"])
-    ends = [
-        draft.draw(f.power_function, f"y_{n}", x, exponent)
-        for n, x in zip("0n", (low, high), strict=True)
-    ]
-    turns = [
-        [
-            draft.take(Angle, f"{letter}_{n}", one, "°")
-            for n, one in zip("0n", given[key], strict=True)
-        ]
-        for letter, key in (("φ", "crank"), ("ψ", "rocker"))
-    ]
-    crank, rocker = [], []
-    for k, share in zip(PLACES, SHARES, strict=True):
-        x = draft.draw(f.chebyshev, f"x_{k}", low, high, draft.take(Number, "", share))
-        y = draft.draw(f.power_function, f"y_{k}", x, exponent)
-        phi = draft.draw(f.in_proportion, f"φ_{k}", x, low, high, *turns[0], unit="°")
-        psi = draft.draw(f.in_proportion, f"ψ_{k}", y, *ends, *turns[1], unit="°")
-        crank.append(phi)
-        rocker.append(psi)
-    return crank, rocker
-
-
-def function(draft: Draft, given: Given) -> Lengths:
-    """A four-bar that meets the function y = x^p in three places of Chebyshev's spacing."""
-    for key in ("x", "crank", "rocker"):
-        refuse_count(given, key, 2)
-    low, high = given["x"]
-    if not 0.0 < low != high > 0.0:
-        says = said("the range of x has to lie above 0 and not be empty, such as [1, 2]")
-        raise StructureError(says, "task.x", head="task")
-    if given["power"] == 0.0:
-        says = said("x to the power 0 does not change: take another power")
-        raise StructureError(says, "task.power", head="task")
-    refuse_line(inverted(given, *pairs_of_function(given)), "A", "task.rocker")
-    return _of_angles(draft, given, *take_pairs(draft, given))
 
 
 def cylinder(draft: Draft, given: Given) -> Lengths:

@@ -24,10 +24,21 @@ SYMBOLS = {
     "OC": ("l_{OC}", SIZE),
     "transmission": ("[γ]", "°"),
     "power": ("p", ""),
+    "y": ("y", ""),
+    "tolerance": ("[Δ]", SIZE),
 }
 """The symbol and the unit of what is given by a key."""
-ROWS = {"angles": "α", "crank": "φ", "rocker": "ψ"}
-"""The letters of angles that are given position by position."""
+ROWS = {
+    "angles": ("α", "°"),
+    "crank": ("φ", "°"),
+    "rocker": ("ψ", "°"),
+    "dwell": ("φ", "°"),
+    "x": ("x", ""),
+    "values": ("y", ""),
+}
+"""The letters of what is given position by position, and its unit."""
+POINTS = ("A", "M", "E")
+"""Keys that give places of a point."""
 
 
 def given_by_task(scene: Scene) -> Iterator[Given]:
@@ -43,13 +54,14 @@ def given_by_task(scene: Scene) -> Iterator[Given]:
                 yield Given(symbol, value, unit)
         elif name == "n":
             yield given_speed("1", value)
-        elif name == "A":
-            for k, spot in enumerate(value, 1):
-                yield Given(f"X_{{A{k}}}", spot.real, SIZE)
-                yield Given(f"Y_{{A{k}}}", spot.imag, SIZE)
-        elif name == "x":
-            yield from (Given(f"x_{end}", one) for end, one in zip("0n", value, strict=True))
+        elif name in POINTS:
+            spots = value if isinstance(value, tuple) else (value,)
+            for k, spot in enumerate(spots, 1):
+                of = f"{name}{k}" if len(spots) > 1 else name
+                yield Given(f"X_{{{of}}}", spot.real, SIZE)
+                yield Given(f"Y_{{{of}}}", spot.imag, SIZE)
         else:
-            ends = "123" if len(value) > 2 else "0n"
+            letter, unit = ROWS[name]
+            ends = "ab" if name == "dwell" else "123" if len(value) > 2 else "0n"
             for end, one in zip(ends, value, strict=True):
-                yield Given(f"{ROWS[name]}_{end}", one, "°")
+                yield Given(f"{letter}_{end}", one, unit)

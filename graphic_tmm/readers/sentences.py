@@ -186,7 +186,8 @@ def worth(step: Step) -> bool:
     op = step.op
     if op.formula or op.reads or step.it.role == roles.READ_OFF:
         return True
-    return op.leaves is Number and all(mark.name for mark in step.uses)
+    told = op.leaves is Number or (op.leaves is Angle and not op.kept)
+    return told and all(mark.name for mark in step.uses)
 
 
 _BOUND = re.compile(r"(?<=/)\{(\w+)\}|\{(\w+)\}(?=[²³^])")

@@ -9,6 +9,7 @@ from typing import Any
 from graphic_tmm.board.bounds import POSITIVE, Bound
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.synthesis import KINDS
+from graphic_tmm.mechanism.synthesis_functions import KNOWN
 from graphic_tmm.scene import values as v
 from graphic_tmm.scene.declare import Flaw, Sort, key, keys_of
 from graphic_tmm.scene.tables import Several, missing_key
@@ -32,13 +33,15 @@ class Task:
             углы="angles",
             функция="function",
             качающийся_цилиндр="cylinder",
+            выстой="dwell",
         ),
         "the kind of mechanism, by its keys, and the lengths that it gives: rocker (K_v, stroke, OB: OA, "
-        "BC, OB); slider-crank (stroke, or v_m and n; K_v and e, or lambda with e or without, or "
-        "pressure: OA, AB, e); crank-rocker (psi, K_v, BC; OC or transmission: OA, AB, BC, OC); coupler "
-        "in three positions (A, angles, AB: xO, yO, xC, yC, OA, AB, BC); three pairs of angles (crank, "
-        "rocker, OA, OC: OA, AB, BC, OC); function (x, power, crank, rocker, OA, OC: the same); swinging "
-        "cylinder (stroke, or v_m and n; psi: OA, OC)",
+        "BC, OB); slider-crank (stroke, or v_m and n; K_v and e, or lambda or pressure and, if there is "
+        "one, e: OA, AB, e); crank-rocker (psi, K_v, BC; OC or transmission: OA, AB, BC, OC); coupler in "
+        "three positions (A, angles, AB: xO, yO, xC, yC, OA, AB, BC); three pairs of angles (crank, rocker, "
+        "OA, OC: OA, AB, BC, OC); function (x; power, y or values; crank, rocker, OA, OC: the same); "
+        "swinging cylinder (stroke, or v_m and n; psi: OA, OC); dwell by an arc of a coupler's path (OA, AB, "
+        "BC, OC, M, dwell, tolerance, E: the lengths, xM, yM, xE, yE, MD, DE)",
         "rocker",
     )
     K_v: float | None = key(v.RATIO, "ratio of the mean speeds of the two strokes", 1.45, None)
@@ -114,13 +117,47 @@ class Task:
         (),
     )
     x: tuple[float, ...] = key(
-        _three(v.number(Bound(0, 1e9, above=True)), "[1, 2]"),
-        "the range of a function's argument",
+        _three(v.number(Bound(-1e9, 1e9)), "[1, 2]"),
+        "the range of a function's argument; of a table its three arguments",
         [1, 2],
         (),
     )
     power: float | None = key(
         v.number(Bound(-20, 20)), "the power p of the function y = x^p", 1.5, None
+    )
+    y: str | None = key(
+        v.choice(*KNOWN, ln="ln x", sin="sin x"),
+        "in place of the power: another function; x of a sine in degrees",
+        "ln x",
+        None,
+    )
+    values: tuple[float, ...] = key(
+        _three(v.number(Bound(-1e9, 1e9)), "[0, 0.7, 1.1]"),
+        "in place of the power: a table's values y at the three x",
+        [0, 0.7, 1.1],
+        (),
+    )
+
+    M: complex | None = key(
+        v.POINT,
+        "the point of a coupler that goes along an arc, from A along AB; B to the left of the way from A to C",
+        ["50 mm", "40 mm"],
+        None,
+    )
+    dwell: tuple[float, ...] = key(
+        v.ANGLES,
+        "the angles of the crank from the line OC between which it does",
+        ["90 deg", "170 deg"],
+        (),
+    )
+    tolerance: float | None = key(
+        v.POSITIVE_LENGTH, "how far the path may leave the arc", "0.2 mm", None
+    )
+    E: complex | None = key(
+        v.POINT,
+        "the pivot of what is to stand meanwhile, from O along OC",
+        ["150 mm", "90 mm"],
+        None,
     )
 
     @property

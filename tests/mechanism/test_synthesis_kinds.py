@@ -14,7 +14,7 @@ from support.examples import most
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.synthesis import KINDS, lengths_found
-from graphic_tmm.mechanism.synthesis_kinds import pairs_of_function
+from graphic_tmm.mechanism.synthesis_functions import pairs_of_function
 
 CASES = most(40)
 """Random tasks of each kind."""
@@ -197,6 +197,22 @@ def test_a_slider_crank_by_its_pressure_angle() -> None:
     assert slider(lengths["OA"], lengths["AB"], 0.0)[0] == pytest.approx(0.1, rel=EXACT)
 
 
+def test_a_slider_crank_with_an_offset_by_its_pressure_angle() -> None:
+    rng = np.random.default_rng(13)
+    for _ in range(CASES):
+        due, aslant = float(rng.uniform(0.02, 0.5)), float(rng.uniform(3, 85))
+        e = due * float(10 ** rng.uniform(-2, 0.7))
+        lengths = lengths_found("slider-crank", {"stroke": due, "pressure": aslant, "e": e})
+        r, rod = lengths["OA"], lengths["AB"]
+        row = np.linspace(0.0, math.tau, 1441)  # the crank square to the guide is one of these
+        steepest = np.max(np.abs(np.arcsin((r * np.sin(row) + e) / rod)))
+        assert math.degrees(steepest) == pytest.approx(aslant, rel=1e-12)
+        assert slider(r, rod, e)[0] == pytest.approx(due, rel=1e-7)
+    without = lengths_found("slider-crank", {"stroke": 0.1, "pressure": 20.0})
+    little = lengths_found("slider-crank", {"stroke": 0.1, "pressure": 20.0, "e": 1e-9})
+    assert little["OA"] == pytest.approx(without["OA"], rel=1e-6)
+
+
 def four(lengths: dict[str, float]) -> tuple[float, float, float, float]:
     return lengths["OA"], lengths["AB"], lengths["BC"], lengths["OC"]
 
@@ -325,15 +341,6 @@ def test_crank_and_rocker_stand_at_their_pairs_of_angles(kind: str) -> None:
         assert off < EXACT * size * max(1.0, size / 0.1)
 
 
-def test_a_function_is_met_at_the_places_of_chebyshev() -> None:
-    given = {"x": [1.0, 2.0], "power": 1.5, "crank": [30.0, 120.0], "rocker": [60.0, 120.0]}
-    crank, rocker = pairs_of_function(given)
-    x = [1.0 + (phi - 30.0) / 90.0 for phi in crank]
-    assert x == pytest.approx([1.5 - 0.5 * math.cos(math.pi * (2 * k + 1) / 6) for k in range(3)])
-    y = [1.0 + (psi - 60.0) / 60.0 * (2**1.5 - 1.0) for psi in rocker]
-    assert y == pytest.approx([one**1.5 for one in x])
-
-
 def test_three_places_in_a_line_are_refused() -> None:
     row = {"A": [0j, 0.03 + 0.02j, 0.06 + 0.04j], "angles": [10.0, 30.0, 70.0], "AB": 0.08}
     with pytest.raises(StructureError, match="three places of A lie in one line") as error:
@@ -382,6 +389,10 @@ def test_every_kind_finds_what_it_says() -> None:
         "angles": {"crank": [30.0, 60.0, 90.0], "rocker": [40.0, 60.0, 75.0], "OA": 0.04, "OC": 0.1},
         "function": {**EMPTY, "x": [1.0, 2.0], "power": 1.5},
         "cylinder": {"stroke": 0.1, "psi": 40.0},
+        "dwell": {
+            "OA": 0.04, "AB": 0.11, "BC": 0.11, "OC": 0.13, "M": 0.095 + 0.075j,
+            "dwell": [120.0, 200.0], "tolerance": 3e-4, "E": 0.16 + 0.15j,
+        },
     }  # fmt: skip
     assert tasks.keys() == KINDS.keys()
     for kind, given in tasks.items():

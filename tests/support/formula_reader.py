@@ -216,6 +216,7 @@ _FUNCTIONS: dict[str, Any] = {
     "arcsin": _growing(mp.asin),
     "arccos": _growing(mp.acos),
     "arctan": _growing(mp.atan),
+    "ln": _growing(mp.log),
     "inv": _inv,
     "arcinv": _arcinv,
     "ceil": _whole(mp.ceil),

@@ -10,12 +10,17 @@ twice the crank.
 By positions: a pin that turns about a fixed centre keeps its distance from it, so the centre stands on the
 bisectors of the chords between its places. Three places of a coupler give O and C by two pairs of bisectors;
 three pairs of angles of crank and rocker give B likewise once the rocker is held and the frame turned back
-about C (inversion); a function is met at three places of Chebyshev's spacing by the angles that stand for
-them.
+about C (inversion); a function (x^p, ln x, sin x) is met at three places of Chebyshev's spacing, or a table
+in its three points, by the angles that stand for them.
+
+By a coupler's path: where it keeps near an arc, a second dyad as long as the arc's radius, its far pin at the
+centre, stands while the crank turns. The arc is the one that the path leaves least, through the three points
+in which it crosses it; their bisectors meet in its centre.
 
 A rocker with its stone is found from two lines under θ that its crank is square to, a swinging cylinder from
 two under its swing that the pin's circle touches. Where the rod is chosen by its ratio λ or by the greatest
-pressure angle, the crank is half the stroke, or calculated, and the dead centres are drawn as a check.
+pressure angle, the crank is half the stroke, or, with an offset, calculated, and the dead centres are drawn as
+a check.
 
 What is measured stands beside what is calculated, which the scene's lengths are. That a mechanism through
 three places may reach them in another order, or only taken apart, is told of it.

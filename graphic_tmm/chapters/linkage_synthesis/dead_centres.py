@@ -29,7 +29,7 @@ from graphic_tmm.chapters.linkage_synthesis.figure import (
     SynthesisFigure,
 )
 from graphic_tmm.mechanism.synthesis_four_bar import choose_four_bar, take_frame
-from graphic_tmm.mechanism.synthesis_kinds import slider_crank, take_stroke
+from graphic_tmm.mechanism.synthesis_kinds import crank_by_pressure, slider_crank, take_stroke
 from graphic_tmm.scene.length_task import Task
 
 FREE = 24.0
@@ -80,28 +80,35 @@ def _slider_by_rod(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     pivot = board.origin("O")
     guide = axis = board.axis(pivot, "(x)")
     side = 1
-    if task.pressure is not None:
+    offset = None
+    if task.pressure is not None and task.e is None:
         stroke = board.length("S_l", take_stroke(draft, task.given))
         end = board.off("S_1", axis, stroke, why.STROKE_LAID)
-        crank = draft.draw(
-            measure, "OA", pivot, draft.draw(halve, "S_2", pivot, end, why=why.HALF_STROKE)
-        )
-        across = draft.draw(square, "(OA)", pivot, axis)
-        pin = board.off("A", across, crank, why.ASLANT)
-        back = draft.draw(parallel, "(A)", pin, axis)
-        aslant = draft.take(Angle, "[α]", task.pressure, "°")
-        down = draft.draw(f.counted_back, "−α", aslant, unit="°")
-        line = draft.draw(incline, "(AB)", pin, back, down, why=why.ASLANT)
-        slid = draft.draw(meet, "B", axis, line, why=why.ASLANT)
-        rod, aslant_at = draft.draw(measure, "AB", pin, slid), [pin, slid]
-        measured = {"OA": board.real("OA", crank), "AB": board.real("AB", rod)}
+        middle = draft.draw(halve, "S_2", pivot, end, why=why.HALF_STROKE)
+        crank = draft.draw(measure, "OA", pivot, middle)
+        measured["OA"] = board.real("OA", crank)
+    elif task.pressure is not None:
+        crank = board.length("OA", crank_by_pressure(draft, task.given))
+        offset = draft.take(Number, "e", task.e, "m")
     else:
         found = slider_crank(draft, task.given)
-        crank, rod = board.length("OA", found["OA"]), board.length("AB", found["AB"])
-        if "e" in found:
-            offset = board.length("e_l", found["e"])
-            back = draft.draw(parallel, "(x′)", pivot, axis, sense=-1)
-            guide, side = draft.draw(shift, "(e)", back, offset, why=why.OFFSET), -1
+        crank, rod, offset = board.length("OA", found["OA"]), found["AB"], found.get("e")
+    if offset is not None:
+        back = draft.draw(parallel, "(x′)", pivot, axis, sense=-1)
+        by = board.length("e_l", offset)
+        guide, side = draft.draw(shift, "(e)", back, by, why=why.OFFSET), -1
+    if task.pressure is not None:
+        across = draft.draw(square, "(OA)", pivot, axis)
+        pin = board.off("A", across, crank, why.ASLANT)
+        level = draft.draw(parallel, "(A)", pin, axis)
+        aslant = draft.take(Angle, "[α]", task.pressure, "°")
+        down = draft.draw(f.counted_back, "−α", aslant, unit="°")
+        line = draft.draw(incline, "(AB)", pin, level, down, why=why.ASLANT)
+        slid = draft.draw(meet, "B", guide, line, why=why.ASLANT)
+        rod, aslant_at = draft.draw(measure, "AB", pin, slid), [pin, slid]
+        measured["AB"] = board.real("AB", rod)
+    else:
+        rod = board.length("AB", rod)
     long, short = (
         draft.draw(op, letter, rod, crank)
         for op, letter in ((f.stretched, "OB_2"), (f.overlapping, "OB_1"))

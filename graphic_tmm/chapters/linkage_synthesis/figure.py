@@ -63,6 +63,14 @@ class Position:
     slides: bool = False
 
 
+class Dyad(NamedTuple):
+    """A second dyad: the coupler's point over a turn; its links (Length); the lines that it is drawn as."""
+
+    course: Mark
+    links: tuple[Mark, Mark]
+    positions: tuple[Position, ...]
+
+
 @dataclass(frozen=True)
 class SynthesisFigure:
     """A synthesis as drawn.
@@ -71,8 +79,8 @@ class SynthesisFigure:
     the first in thick lines. ``pivots``: on the frame; ``points``: others that bear a letter; ``guide``: two
     points of a slider's guide. ``circles``: those that stay. ``places``: whether the mechanism was made to go
     through its positions one after the other. ``transmission``: angles of transmission that were measured;
-    ``angles``: those that are shown;
-    ``worst``: the positions of worst transmission.
+    ``angles``: those that are shown; ``worst``: positions in thin lines, such as those of worst transmission;
+    ``dyad``: the second one of a six-bar, in thick lines too.
     """
 
     task: Task
@@ -87,6 +95,7 @@ class SynthesisFigure:
     transmission: tuple[Mark, ...] = ()
     angles: tuple[Between, ...] = ()
     worst: tuple[Position, ...] = ()
+    dyad: Dyad | None = None
 
 
 class SynthesisBoard:
@@ -158,17 +167,23 @@ class SynthesisBoard:
         line = self.draft.draw(join, line_name(end, pivot), end, pivot)
         return self.off(letter, line, rod, why.IN_LINE)
 
-    def bisector(self, start: Mark, end: Mark, letter: str) -> Mark:
+    def bisector(self, start: Mark, end: Mark, letter: str, because: str = why.BISECTOR) -> Mark:
         """Draw the bisector of the chord between two places."""
         chord = self.draft.draw(join, line_name(start, end), start, end)
         middle = self.draft.draw(halve, letter, start, end, why=why.MIDDLE)
-        return self.draft.draw(square, f"({letter})", middle, chord, why=why.BISECTOR)
+        return self.draft.draw(square, f"({letter})", middle, chord, why=because)
 
-    def centre(self, letter: str, places: Sequence[Mark], middles: tuple[str, str]) -> Mark:
+    def centre(
+        self,
+        letter: str,
+        places: Sequence[Mark],
+        middles: tuple[str, str],
+        because: str = why.BISECTOR,
+    ) -> Mark:
         """Return the centre of the circle through three places: where two bisectors meet."""
         first, second, third = places
         lines = (
-            self.bisector(first, second, middles[0]),
-            self.bisector(second, third, middles[1]),
+            self.bisector(first, second, middles[0], because),
+            self.bisector(second, third, middles[1], because),
         )
         return self.draft.draw(meet, letter, *lines)

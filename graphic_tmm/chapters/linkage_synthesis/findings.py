@@ -6,6 +6,10 @@ import cmath
 import math
 from collections.abc import Iterator, Sequence
 
+import numpy as np
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.linkage_synthesis.figure import Dyad
 from graphic_tmm.chapters.linkage_synthesis.plan import SYNTHESIS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -23,6 +27,10 @@ PAST = said(
     "rocker lie in line: drive the other link",
     "synthesis: positions {listed} are reached from the first only past a dead place, in which coupler and "
     "rocker lie in line: drive the other link",
+)
+OPEN = said(
+    "synthesis: in position {listed} the links MD and DE do not reach each other: move E",
+    "synthesis: in positions {listed} the links MD and DE do not reach each other: move E",
 )
 ORDER = said(
     "synthesis: the crank does not turn all round and goes through the positions in the order {listed}"
@@ -72,6 +80,8 @@ SAYS: dict[str, Said | str] = {"apart": APART, "past": PAST, "order": ORDER}
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
     made = SYNTHESIS_PLAN.of(drawn)
+    if made is not None and made.dyad is not None:
+        yield from _open(drawn, made.dyad, made.pivots[-1], language)
     if made is None or not made.places:
         return
     spots = [
@@ -84,6 +94,17 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
     first, second = ([row[k] for row in spots] for k in (1, 2))
     for word, which in defects((pivot, other), first, second):
         yield speaking(language)(SAYS[word], n=len(which), listed=", ".join(map(str, which)))
+
+
+def _open(drawn: Drawn, dyad: Dyad, pivot: Mark, language: str) -> Iterator[str]:
+    """Yield in which positions of the turn a second dyad does not close."""
+    reading = drawn.reading
+    arm, lever = (float(reading[mark][0, 0]) for mark in dyad.links)
+    away = np.abs(reading[dyad.course][0] - reading[pivot][0, 0])
+    beyond = np.flatnonzero((away > arm + lever) | (away < abs(arm - lever)))
+    if beyond.size:
+        listed = ", ".join(drawn.names[k] for k in beyond)
+        yield speaking(language)(OPEN, n=int(beyond.size), listed=listed)
 
 
 WARNINGS = Warned(_warnings)

@@ -7,11 +7,12 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.linkage_synthesis.figure import Circle, Position, SynthesisFigure
 from graphic_tmm.chapters.linkage_synthesis.task import SYNTHESIS
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
-from graphic_tmm.paper.figure import added, body, figure
+from graphic_tmm.paper.figure import Manner, added, body, figure
+from graphic_tmm.paper.rules import stays
 from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import angular
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, guide, slider, turning_pair
@@ -24,15 +25,18 @@ PIVOT, PIN = 3.0, 2.0
 """How far the symbols of a pivot and of a pin reach, mm."""
 
 
-def draw_synthesis(on: Subject, made: SynthesisFigure) -> Drawing:
-    """Return the construction with the mechanism that it found."""
-    ink = Seen(on.construction, on.reading, (SYNTHESIS,), (0,))
-    traces = figure(ink)
+def draw_synthesis(on: Subject, made: SynthesisFigure, names: Sequence[str]) -> Drawing:
+    """Return the construction with the mechanism that it found; ``names``: of the positions of a path."""
+    ink = Seen(on.construction, on.reading, (SYNTHESIS,), range(len(names)))
+    traces = figure(ink, Manner(stays=_stays))
     strokes = [*traces.staying]
     for one in made.circles:
         strokes += body(_circle(ink, one), "path", (one.centre, *one.through))
     if made.guide is not None:
         strokes += body(_guide(ink, *made.guide), "guide", made.guide)
+    drawn = made.dyad.positions if made.dyad is not None else ()
+    for position in drawn:
+        strokes += body(_links(ink, position, "main"), "link", position.joints)
     for position in made.worst:
         strokes += body(_links(ink, position, "thin"), "link", position.joints)
     for k, position in reversed([*enumerate(made.positions)]):
@@ -46,7 +50,14 @@ def draw_synthesis(on: Subject, made: SynthesisFigure) -> Drawing:
             vertex, start, end = places
             begin, turn = _sweep(vertex, start, end)
             strokes += added(angular(vertex, begin, turn, ANGLE), "angle")
-    return traces.drawing(on, strokes, _letters(ink, made, on.heights.point))
+    letters = _letters(ink, made, on.heights.point)
+    numbers = enumerate(names) if len(names) > 1 else ()
+    return traces.drawing(on, strokes, letters, (), numbers)
+
+
+def _stays(seen: Seen, step: Step) -> bool:
+    """Whether a step's line is there at the end: of what differs over the turn only the path is."""
+    return stays(seen, step) and not seen.varies(step)
 
 
 def _sweep(vertex: complex, start: complex, end: complex) -> tuple[float, float]:

@@ -24,7 +24,8 @@ from graphic_tmm.chapters.linkage_synthesis.figure import (
     SynthesisBoard,
     SynthesisFigure,
 )
-from graphic_tmm.mechanism.synthesis_kinds import PLACES, take_pairs
+from graphic_tmm.mechanism.synthesis_functions import take_pairs
+from graphic_tmm.mechanism.synthesis_kinds import PLACES
 from graphic_tmm.scene.length_task import Task
 
 
@@ -91,7 +92,7 @@ def draw_angles(board: SynthesisBoard, task: Task) -> SynthesisFigure:
 
 
 def draw_function(board: SynthesisBoard, task: Task) -> SynthesisFigure:
-    """Draw a four-bar for a function: its three pairs of angles by Chebyshev's spacing, then as any."""
+    """Draw a four-bar for a function: three pairs of angles that stand for its points, then as any."""
     return _inverted(board, task, *take_pairs(board.draft, task.given))
 
 

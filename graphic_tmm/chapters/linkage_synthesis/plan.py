@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from graphic_tmm.chapters.linkage_synthesis import dead_centres, places
+from graphic_tmm.chapters.linkage_synthesis import dead_centres, dwell, places
 from graphic_tmm.chapters.linkage_synthesis.figure import SynthesisBoard, SynthesisFigure
 from graphic_tmm.chapters.linkage_synthesis.task import ASKED, CHAPTER_NAME
 from graphic_tmm.project import Bench
@@ -21,6 +21,7 @@ DRAWN: dict[str, Callable[[SynthesisBoard, Task], SynthesisFigure]] = {
     "angles": places.draw_angles,
     "function": places.draw_function,
     "cylinder": dead_centres.draw_cylinder,
+    "dwell": dwell.draw_dwell,
 }
 """What draws each kind of task."""
 

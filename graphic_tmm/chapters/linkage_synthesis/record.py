@@ -22,9 +22,10 @@ def calculate(bench: Bench) -> Mapping[str, Mark]:
     made, draft = SYNTHESIS_PLAN.on(bench), bench.draft
     draft.open(VIEW)
     lengths = KINDS[made.task.kind].calculate(draft, made.task.given)
+    found = {name: mark for name, mark in lengths.items() if mark not in draft.given}
     if "S" in made.measured:
-        lengths["S"] = take_stroke(draft, made.task.given)
-    return {name: mark for name, mark in lengths.items() if name not in made.task.given}
+        found["S"] = take_stroke(draft, made.task.given)
+    return found
 
 
 PLAN = Plan(record=record, aside=calculate)

@@ -33,7 +33,7 @@ def reach(project: Project, doubts: Doubts) -> float:
     """Return how far the points of the construction are apart, across or upright, m."""
     marks = [mark for mark in project.marks(SYNTHESIS) if mark.kind is Point]
     reading = unscaled(project, doubts, marks)
-    spots = np.array([complex(reading[mark][0, 0]) for mark in marks] + [0j])
+    spots = np.concatenate([[0j], *(reading[mark][0] for mark in marks)])
     spots = spots[np.isfinite(spots)]
     return float(max(np.ptp(spots.real), np.ptp(spots.imag)))
 

@@ -29,7 +29,10 @@ def synthesis_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     language = drawn.scene.language
     on = subject(drawn, captions(language)[SYNTHESIS], SYNTHESIS)
     scale = f"μ_l = {number(drawn.value(made.mu), language)} {unit('m/mm', language)}"
-    return [with_caption(draw_synthesis(on, made), on, lettered, scale), _lengths(drawn)]
+    return [
+        with_caption(draw_synthesis(on, made, drawn.names), on, lettered, scale),
+        _lengths(drawn),
+    ]
 
 
 def _lengths(drawn: Drawn) -> Drawing:
@@ -46,7 +49,10 @@ def _lengths(drawn: Drawn) -> Drawing:
         shown = (
             "—" if read is None else fixed(small(drawn.value(read), language)[0], places, language)
         )
-        rows.append([name, shown, fixed(value, places + 1, language), unit(of, language)])
+        figure = fixed(value, places + 1, language)
+        if name == "departure":
+            name, figure = "Δ", number(value, language)
+        rows.append([name, shown, figure, unit(of, language)])
     for angle in made.transmission:
         rows.append([angle.letter, fixed(drawn.value(angle), 1, language), "—", "°"])
     heads = ["value", "synthesis by drawing", "synthesis by calculation", "unit"]

@@ -16,9 +16,12 @@ CAPTIONS: dict[str, str] = {
     "synthesis_transmission_1": said("angle of transmission, crank towards C"),
     "synthesis_transmission_2": said("angle of transmission, crank away from C"),
     "synthesis by calculation": said("calculated"),
+    "synthesis_departure_calculated": said("how far the path leaves the arc"),
 }
 
 STROKE_LAID = said("The stroke is laid off on the slider's guide.")
+OF_COUPLER = said("The point keeps its place in the coupler.")
+ARC = said("The centre of an arc stands on the bisector of any of its chords.")
 EXTREME = said("In its extreme places the rocker stands at half its swing from the axis.")
 SEEN = said(
     "A point from which a chord is seen under θ lies on a circle; the radii to both ends of the chord are at "

@@ -221,7 +221,7 @@ def test_each_pass_that_a_tracer_knows_is_one_of_machine_code() -> None:
 
 MANY = 60
 ONLY_EXECUTED = {
-    *("turn_between", "measure_arc", "along_arc", "around_outer"),
+    *("turn_between", "measure_arc", "along_arc", "around_outer", "crossed_at", "off_arc"),
     *("whole_mm", "next_ratio", "next_standard", "next_standard_length", "nearest_standard"),
     *("common_divisor", "involute", "angle_of_involute", "pointed_involute", "working_involute"),
     *("tip_thickness", "working_involute_inside", "ring_thickness_at", "gap_of_corners"),

@@ -23,6 +23,7 @@ LEFT = {
     *("involute", "working_involute", "angle_of_involute", "tip_thickness", "pointed_involute"),
     *("working_involute_inside", "ring_thickness_at", "pointed_ring_involute", "gap_of_corners"),
     *("along_arc", "measure_arc", "common_divisor", "turn_between", "around_outer"),
+    *("crossed_at", "off_arc"),
 }
 """Pointwise operations without a curve that look at their numbers, or call what is no pass."""
 

@@ -1,0 +1,77 @@
+"""Functions met by a four-bar: the pairs of angles by Chebyshev's cosines, what no angles stand for."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import pytest
+
+from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.synthesis import lengths_found
+from graphic_tmm.mechanism.synthesis_functions import pairs_of_function
+
+
+def test_a_function_is_met_at_the_places_of_chebyshev() -> None:
+    given = {"x": [1.0, 2.0], "power": 1.5, "crank": [30.0, 120.0], "rocker": [60.0, 120.0]}
+    crank, rocker = pairs_of_function(given)
+    x = [1.0 + (phi - 30.0) / 90.0 for phi in crank]
+    assert x == pytest.approx([1.5 - 0.5 * math.cos(math.pi * (2 * k + 1) / 6) for k in range(3)])
+    y = [1.0 + (psi - 60.0) / 60.0 * (2**1.5 - 1.0) for psi in rocker]
+    assert y == pytest.approx([one**1.5 for one in x])
+
+
+@pytest.mark.parametrize(
+    ("name", "of", "ends"),
+    [("ln x", math.log, (1.0, 3.0)), ("sin x", lambda x: math.sin(x * math.pi / 180), (0.0, 90.0))],
+)
+def test_other_functions_are_met_at_the_places_of_chebyshev(
+    name: str, of: Callable[[float], float], ends: tuple[float, float]
+) -> None:
+    given = {
+        "x": [*ends],
+        "y": name,
+        "crank": [20.0, 110.0],
+        "rocker": [50.0, 120.0],
+        "OA": 0.05,
+        "OC": 0.1,
+    }
+    lengths = lengths_found("function", given)
+    row = [math.cos(math.pi * (2 * k + 1) / 6) for k in (2, 1, 0)]
+    x = [(ends[0] + ends[1]) / 2 + one * (ends[1] - ends[0]) / 2 for one in row]
+    crank = [20.0 + 90.0 * (one - ends[0]) / (ends[1] - ends[0]) for one in x]
+    rocker = [50.0 + 70.0 * (of(one) - of(ends[0])) / (of(ends[1]) - of(ends[0])) for one in x]
+    assert pairs_of_function(given) == (pytest.approx(crank), pytest.approx(rocker))
+    assert lengths == pytest.approx(
+        lengths_found("angles", {"crank": crank, "rocker": rocker, "OA": 0.05, "OC": 0.1})
+    )
+
+
+def test_a_table_of_three_points_is_met() -> None:
+    given = {"x": [1.0, 2.0, 4.0], "values": [3.0, 1.0, 0.5], "crank": [30.0, 120.0]}
+    given |= {"rocker": [60.0, 110.0], "OA": 0.05, "OC": 0.1}
+    lengths = lengths_found("function", given)
+    pairs = {"crank": [30.0, 60.0, 120.0], "rocker": [60.0, 100.0, 110.0]}
+    assert lengths == pytest.approx(lengths_found("angles", {**pairs, "OA": 0.05, "OC": 0.1}))
+
+
+@pytest.mark.parametrize(
+    ("task", "key", "words"),
+    [
+        ({"x": [0.0, 2.0], "y": "ln x"}, "x", "above 0"),
+        ({"x": [2.0, 2.0], "y": "sin x"}, "x", "have to differ"),
+        ({"x": [0.0, 180.0], "y": "sin x"}, "x", "same value at both ends"),
+        ({"x": [1.0, 2.0], "values": [1.0, 2.0, 3.0]}, "x", "3 values are wanted here, not 2"),
+        ({"x": [1.0, 2.0, 3.0], "values": [1.0, 2.0, 1.0]}, "values", "same value at both ends"),
+        ({"x": [1.0, 2.0, 1.0], "values": [1.0, 2.0, 3.0]}, "x", "have to differ"),
+        ({"x": [1.0, 2.0, 3.0], "power": 2.0}, "x", "2 values are wanted here, not 3"),
+    ],
+)
+def test_a_function_that_no_angles_stand_for_is_refused(
+    task: dict[str, Any], key: str, words: str
+) -> None:
+    rest = {"crank": [20.0, 110.0], "rocker": [50.0, 120.0], "OA": 0.05, "OC": 0.1}
+    with pytest.raises(StructureError, match=words) as error:
+        lengths_found("function", {**task, **rest})
+    assert error.value.keys == (f"task.{key}",)
