@@ -10,10 +10,14 @@ from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.motion_law import words as why
-from graphic_tmm.chapters.motion_law.operations import error_of_works, rough_graph
 from graphic_tmm.chapters.motion_law.over_angle import Both, OverAngle
 from graphic_tmm.chapters.motion_law.task import SPEED
 from graphic_tmm.chapters.motor import operations_run as op
+from graphic_tmm.chapters.motor.operations_error import (
+    error_of_steps,
+    error_of_works,
+    rough_graph,
+)
 from graphic_tmm.chapters.motor.plan import DrawnMotor
 from graphic_tmm.chapters.motor.step import DrawnStep, Run, draw_step
 from graphic_tmm.chapters.motor.task import RUN
@@ -136,5 +140,5 @@ class ByMotor(OverAngle):
         if self.motor is None:
             return error
         run = (*self.by_motor(self.motor, own.read, own.mu, own.start), energies)
-        steps = draft.draw(op.error_of_steps, "ξ_M", *run, unit="%", row=row, stride=stride)
+        steps = draft.draw(error_of_steps, "ξ_M", *run, unit="%", row=row, stride=stride)
         return draft.draw(added, "ξ", error, steps, unit="%")

@@ -5,11 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import CURVE, FREE, WHOLE_ROW, operation
-from graphic_tmm.board.operations.graph_curves import taut_graph
+from graphic_tmm.board.grammar import FREE, operation
 from graphic_tmm.board.operations.graphs import HALVINGS, alike
 from graphic_tmm.board.values import Complexes, Curve, Length, Number, Point, Reals
-from graphic_tmm.chapters.motor.operations_run import SLOW
 from graphic_tmm.language.said import said
 
 LEVEL = 1e-9
@@ -209,47 +207,3 @@ def time_at_end(
     mu_omega: Number,
 ) -> Number:
     """{before}·{mu_t} + 2·({far} − {near})·{mu_phi}/(({first} + {last})·{mu_omega})"""
-
-
-# ------------------------------------------------------------ how exact it is
-
-
-@operation(
-    symbol=CURVE,
-    across=True,
-    why=said("What every so many-th ordinate tells shows how much hangs on their number."),
-)
-def rough_graph(through: Point, over: Length, *, row: int, stride: int) -> Curve:
-    """Through some of {through} draw the curve {it}, closed over {over}, as if there were no others."""
-    found: Curve = taut_graph.run(Point(through[:, :row:stride]), over, row=row // stride)
-    return found
-
-
-def _areas(curve: Curve, row: int) -> Reals:
-    """Return what lies below a closed graph up to the end of each interval."""
-    x, y, rise = (
-        part[:, 1 : row + 2] for part in (curve.knots.real, curve.knots.imag, curve.tangents.imag)
-    )
-    mean = (y[:, 1:] + y[:, :-1]) / 2.0 + (rise[:, :-1] - rise[:, 1:]) / 12.0
-    return np.cumsum(np.diff(x, axis=1) * mean, axis=1)
-
-
-@operation(
-    symbol=FREE,
-    across=True,
-    fails=WHOLE_ROW,
-    why=said(
-        "The works of both curves differ by some times what the finer one is off; ω by half as much as T."
-    ),
-)
-def error_of_works(
-    fine: Curve, rough: Curve, of: Number, mu_M: Number, mu_phi: Number, *, row: int, stride: int
-) -> Number:
-    """From the works below {fine} and {rough}, as shares of {of}, ω errs by {it} %."""
-    apart = _areas(fine, row)[:, stride - 1 :: stride] - _areas(rough, row // stride)
-    energy = of[:, stride:row:stride]
-    most = np.nanmax(energy, axis=1, keepdims=True, initial=0.0)
-    size = np.where(most > 0.0, np.maximum(energy, SLOW**2 * most), np.nan)
-    apart, size = alike(apart[:, :-1] * mu_M[:, :1] * mu_phi[:, :1], size)
-    share = 100.0 * np.abs(apart) / (2.0 * size) / (stride**2 - 1.0)
-    return Number(np.nanmax(share, axis=1, keepdims=True, initial=0.0))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.indicator.views import indicator_views
-from graphic_tmm.chapters.motion_law.ink import Diagram, Spot, draw_diagram
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN, MotionLaw
 from graphic_tmm.chapters.motion_law.table import law_columns, law_results
 from graphic_tmm.chapters.motion_law.task import (
@@ -19,6 +18,7 @@ from graphic_tmm.chapters.motion_law.task import (
     TIME,
     WORK,
 )
+from graphic_tmm.chapters.motor.ink import Diagram, Spot, draw_diagram
 from graphic_tmm.chapters.motor.plan import SPEEDS
 from graphic_tmm.chapters.motor.task import MOTOR, STEP
 from graphic_tmm.drawn import Drawn, single

@@ -24,8 +24,6 @@ from graphic_tmm.language.said import said
 NOT_NEEDED = "no flywheel is needed, or none makes the cycle so even"
 CLOSED = 1e-3
 """A run-up is steady where a turn changes the speed by less than this share."""
-SLOW = 0.2
-"""Below this share of the greatest speed an error is told of so much: near rest any is large of its own."""
 MOST = 200
 """Turns after which a run-up is given up."""
 
@@ -96,7 +94,8 @@ class Turns(NamedTuple):
         return Turns(self.motor, gains, self.inertia[:, ::stride], self.way * stride)
 
 
-def _turns(values: tuple[Reals, ...], motor: Motor, row: int) -> Turns:
+def turns_of(values: tuple[Reals, ...], motor: Motor, row: int) -> Turns:
+    """Return a machine over the row by its works, that at the end, J and the base, all in SI."""
     works, end, feet, way = alike(*values)
     works = np.concatenate([works[:, :row], end[:, :1]], axis=1)
     inertia = np.concatenate([feet[:, :row], feet[:, :1]], axis=1) if feet.shape[1] > 1 else feet
@@ -120,7 +119,7 @@ def run_up(
 ) -> Number:  # fmt: skip
     """From {start} on cross the parabola of each position with the motor's curve {motor}: its energy {it}."""
     values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
-    own = _turns(values, motor_of(motor, mu_M, mu_omega), row)
+    own = turns_of(values, motor_of(motor, mu_M, mu_omega), row)
     found = [own.inertia[:, :1] * start[:, :1] ** 2 / 2.0]
     found += [energy for _, energy in islice(own.go(start[:, :1]), row - 1)]
     behind = np.full((len(own.gains), max(work.shape[1] - row, 0)), np.nan)
@@ -141,7 +140,7 @@ def run_up_end(
 ) -> Number:  # fmt: skip
     """From the last of {of} on cross the parabola once more with the motor's curve {motor}: {it}."""
     values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
-    own, energy = _turns(values, motor_of(motor, mu_M, mu_omega), row), of[:, row - 1 : row]
+    own, energy = turns_of(values, motor_of(motor, mu_M, mu_omega), row), of[:, row - 1 : row]
     omega = np.sqrt(np.maximum(2.0 * energy / own.inertia[:, row - 1 : row], 0.0))
     over = Interval(energy, own.gains[:, row - 1 : row], own.inertia[:, row : row + 1], own.way)
     after = _after(own.motor, np.where(energy >= 0.0, omega, np.nan), over)[1]
@@ -185,7 +184,7 @@ def steady_speed(
 ) -> Number:  # fmt: skip
     """Go over the row again and again by the motor's curve {motor}, to the speed {it} that comes back."""
     values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
-    own = _turns(values, motor_of(motor, mu_M, mu_omega), row)
+    own = turns_of(values, motor_of(motor, mu_M, mu_omega), row)
     return Number(_steady(own, _idle(own.motor)))
 
 
@@ -204,7 +203,7 @@ def inertia_for(
 ) -> Number:  # fmt: skip
     """Seek {it} that with {inertia} makes the steady cycle by the motor {motor} as uneven as {delta}."""
     values = (work * mu_A, end * mu_A, inertia, base * mu_phi)
-    own, due = _turns(values, motor_of(motor, mu_M, mu_omega), row), 1.0 / delta[:, :1]
+    own, due = turns_of(values, motor_of(motor, mu_M, mu_omega), row), 1.0 / delta[:, :1]
     start = _idle(own.motor)
 
     def even(more: Reals) -> Reals:
@@ -258,7 +257,7 @@ def turns_to_run_up(
 ) -> Number:  # fmt: skip
     """From {start} on by {motor} count the rows {it} until one changes the speed by less than 0.1 %."""
     values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
-    own = _turns(values, motor_of(motor, mu_M, mu_omega), row).thinned(stride)
+    own = turns_of(values, motor_of(motor, mu_M, mu_omega), row).thinned(stride)
     omega = np.broadcast_to(start[:, :1], (own.gains.shape[0], 1))
     found = np.full(omega.shape, np.nan)
     for k in range(MOST):
@@ -270,35 +269,6 @@ def turns_to_run_up(
         if not (np.isnan(found) & np.isfinite(omega)).any():
             break
     return Number(found)
-
-
-@operation(
-    symbol=FREE,
-    across=True,
-    fails=WHOLE_ROW,
-    why=said(
-        "Wider steps err by the square of their width more; from rest, where ω grows as a root, by their width."
-    ),
-)
-def error_of_steps(
-    motor: Curve, start: Number, work: Length, end: Length, inertia: Length, base: Length,
-    mu_M: Number, mu_omega: Number, mu_A: Number, mu_J: Number, mu_phi: Number, of: Number,
-    *, row: int, stride: int,
-) -> Number:  # fmt: skip
-    """Go from {start} by {motor} over several intervals at a time: from that and {of}, ω errs by {it} %."""
-    values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
-    own = _turns(values, motor_of(motor, mu_M, mu_omega), row)
-    run = islice(own.thinned(stride).go(start[:, :1]), row // stride - 1)
-    rough, heavy = (
-        np.concatenate(alike(*(omega for omega, _ in run)), axis=1),
-        own.inertia[:, stride:row:stride],
-    )
-    omega = np.sqrt(np.maximum(2.0 * of[:, stride:row:stride] / heavy, 0.0))
-    most = np.nanmax(omega, axis=1, keepdims=True, initial=0.0)
-    size = np.where(most > 0.0, np.maximum(omega, SLOW * most), np.nan)
-    wider = np.where(start[:, :1] > 0.0, stride**2 - 1.0, stride - 1.0)
-    share = 100.0 * np.abs(rough - omega) / size / wider
-    return Number(np.nanmax(share, axis=1, keepdims=True, initial=0.0))
 
 
 @formula(why=said("What is drawn takes so many turns at a time."))
