@@ -24,8 +24,8 @@ from there to the pivot by one on the crank. Of a partial balance the crank's co
 into its pin and a share k of what slides: along the guide (1 − k) of that stays, across it k comes in.
 
 Draws: place ``balance``: polygons of static moments, the polar diagram, the graph of the moment, the mechanism
-with its counterweights, tables. Builds on kinematics (plans of positions and accelerations) and on forces
-(inertia forces, the polygon).
+with its counterweights, tables. Builds on kinematics (plans of positions and accelerations), on forces (inertia
+forces, the polygon) and on rotors (polygons of static moments).
 
 Sources: Артоболевский И. И., Теория механизмов и машин (уравновешивание масс звеньев на фундаменте);
 Попов С. А., Тимофеев Г. А., Курсовое проектирование (главный вектор и главный момент сил инерции).
@@ -42,7 +42,7 @@ CHAPTER = Chapter(
     name=BALANCE,
     number=18,
     drive="crank",
-    builds_on=(KINEMATICS, FORCES),
+    builds_on=(KINEMATICS, FORCES, "rotors"),
     places=(Place(BALANCE, 66, beside=(ACCELERATIONS,)),),
     sections=SECTIONS,
 )

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.chapters.balance.counterweights import Weight
-from graphic_tmm.chapters.balance.masses import Side, Unbalance
 from graphic_tmm.chapters.balance.plan import Balance
 from graphic_tmm.chapters.balance.task import FORCE
+from graphic_tmm.chapters.forces.detached import Side
 from graphic_tmm.chapters.forces.ink_polygons import LEAST, bar
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
@@ -28,8 +28,6 @@ WEIGHT = 2.4
 """The radius of the sign of a counterweight, mm."""
 SMALL = 3.0
 """A polar diagram that reaches no farther from its pole is a point, mm: its caption tells what is left."""
-UNIT = "kg·m"
-"""The unit of static moments."""
 PENS = ("main", "dashed")
 """The hodographs without and with counterweights."""
 
@@ -92,33 +90,6 @@ def _letters(
         yield from lettered(shared(spots, LEAST), high.number, away_from=0j)
     yield Wanted("o", 0j, high.point, 1.0, of=(made.pole.slot,))
     yield from _side_letters(on, seen, made.sides, at)
-
-
-def draw_unbalance(on: Subject, one: Unbalance) -> Drawing:
-    """Return the static moments of a link; the counterweight's, in a main line, closes them."""
-    seen, high = on.seen((one.view,), [0]), on.heights
-    heads, mu = {head: letter for letter, _, head in one.sides}, seen.fixed_number(one.mu)
-
-    def side(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        start, end = seen.line(step.uses[0], k)[0], seen.point(step.it, k)
-        if finite(start, end) and abs(end - start) >= LEAST:
-            yield from told_arrow(start, end, "medium", heads[step.it], mu, UNIT)
-
-    def closing(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        start, end = (seen.point(mark, k) for mark in step.uses)
-        if finite(start, end) and abs(end - start) >= LEAST:
-            yield from told_arrow(start, end, "main", one.moment.letter, mu, UNIT)
-
-    stays = {*heads, one.closing}
-    rules = {lay_off.name: side}
-    manner = Manner(rules, lambda seen, step: step.it in stays, {one.closing: closing})
-    traces = figure(seen, manner)
-    ends = [*one.sides, (one.moment.letter, one.closing_ends[0], one.closing_ends[1])]
-    wanted = list(_side_letters(on, seen, ends, 0))
-    corners = [Named(0j, "o", (one.start.slot,))]
-    corners += [Named(seen.point(head, 0), head.name, (head.slot,)) for head in heads]
-    wanted += lettered(shared(corners, LEAST), high.number)
-    return traces.drawing(on, traces.staying, wanted)
 
 
 def _side_letters(on: Subject, seen: Seen, sides: Sequence[Side], k: int) -> Iterator[Wanted]:

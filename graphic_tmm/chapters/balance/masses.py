@@ -15,12 +15,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
-from graphic_tmm.board.operations.formulas import in_si, to_board
-from graphic_tmm.board.operations.instruments import bearing, lay_off, measure, ray
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Number, Point
+from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.balance import operations as f
-from graphic_tmm.chapters.balance import words as why
 from graphic_tmm.chapters.balance.counterweights import Arm, arms_of
 from graphic_tmm.chapters.balance.task import (
     BALANCE,
@@ -34,6 +31,8 @@ from graphic_tmm.chapters.balance.task import (
 from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg, dyads
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+from graphic_tmm.chapters.rotors import formulas as rotors
+from graphic_tmm.chapters.rotors.polygon import Polygon, Vector, draw_polygon, turned
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.masses import mass_centre
@@ -45,43 +44,28 @@ SAME_PLACE = 1e-9
 
 
 class Borne(NamedTuple):
-    """A mass (kg) that a link bears at one of its letters: of what, and how its moment is turned, degrees."""
+    """A mass that a link bears at one of its letters: of what, as drawn and exactly (kg).
+
+    ``turned``: by how much its static moment is turned, degrees.
+    """
 
     tag: str
     mass: Mark
+    exact: float
     at: str
     turned: float = 0.0
 
 
-Side = tuple[str, Mark, Mark]
-
-
 class Unbalance(NamedTuple):
-    """The static moments about the pin of a link as drawn: sides in order; the counterweight that closes them.
+    """The static moments of what a link bears about its pin, as a polygon.
 
-    ``mass``: kg, ``radius``: m; ``angle``: of it from the axis of the link, as measured; ``moment``: kg·m,
-    ``closing``: its length (Length).
+    ``held``: mass (kg), radius (m) and angle from the link's axis of the counterweight that closes it; None
+    where it closes by itself.
     """
 
     link: int
-    mu: Mark
-    start: Mark
-    sides: tuple[Side, ...]
-    closing: Mark
-    moment: Mark
-    mass: Mark
-    radius: Mark
-    angle: Mark
-
-    @property
-    def closing_ends(self) -> tuple[Mark, Mark]:
-        """From where to where the closing side goes."""
-        return self.sides[-1][2], self.start
-
-    @property
-    def view(self) -> str:
-        """Where it is drawn."""
-        return self.mu.view
+    polygon: Polygon
+    held: tuple[Mark, Mark, Mark] | None
 
 
 @dataclass
@@ -145,7 +129,7 @@ def _own(work: _Work, link: Link) -> Borne:
     work.bench.draft.open(MASSES)
     assert link.mass is not None
     mass = work.known(f"m_{link.number}", link.mass, "kg")
-    return Borne(str(link.number), mass, mass_centre(work.plans.mechanism, link))
+    return Borne(str(link.number), mass, link.mass, mass_centre(work.plans.mechanism, link))
 
 
 def _refuse(plans: KinematicPlans) -> None:
@@ -204,7 +188,8 @@ def _slider(work: _Work, leg: PinLeg, slider: int, pin: str) -> None:
             draft.open(MASSES)
             part = work.known("k", share, "")
             mass = draft.draw(f.answered, f"m′_{{{one.tag}}}", one.mass, part, unit="kg")
-            work.put(leg.body, one._replace(tag=f"{one.tag}′", mass=mass, at=leg.letter))
+            exact = share * one.exact
+            work.put(leg.body, Borne(f"{one.tag}′", mass, exact, leg.letter, one.turned))
 
 
 def _stone(work: _Work, closing: Closing, stone: int) -> None:
@@ -248,8 +233,8 @@ def _in_two(work: _Work, link: int, first: str, second: str) -> Iterator[tuple[B
             apart = work.known(f"l_{{{other}{one.at}}}", abs(far), "m")
             tag = f"{one.tag}{pin}"
             mass = draft.draw(f.at_pin, f"m_{{{tag}}}", one.mass, apart, length, unit="kg")
-            turned = one.turned + math.degrees(cmath.phase(far / whole))
-            yield Borne(tag, mass, pin, turned), outer
+            exact, more = cmath.polar(far / whole)
+            yield Borne(tag, mass, one.exact * exact, pin, one.turned + math.degrees(more)), outer
 
 
 def _drawn_to_pivot(work: _Work, leg: PinLeg) -> None:
@@ -258,43 +243,36 @@ def _drawn_to_pivot(work: _Work, leg: PinLeg) -> None:
         work.borne.pop(leg.link, None)
         return
     borne = work.borne.get(leg.link, [])
-    weight = _balanced(work, leg.link)
-    if weight is not None:
-        borne = [*borne, Borne(f"c{leg.link}", weight.mass, leg.letter)]
+    if (weight := _balanced(work, leg.link)) is not None:
+        borne = [*borne, weight]
     for one in borne:
         work.put(leg.body, one._replace(at=leg.letter))
 
 
-def _balanced(work: _Work, link: int) -> Unbalance | None:
-    """Draw the static moments of what a link bears about its pin; find the counterweight that closes them."""
-    points, arm = work.points(link), work.arms[link]
+def _balanced(work: _Work, link: int) -> Borne | None:
+    """Draw the static moments of what a link bears about its pin; return the counterweight that closes them."""
+    points, arm, draft = work.points(link), work.arms[link], work.bench.draft
     pivot, body = points[arm.pivot], work.plans.positions.bodies[link]
     borne = [one for one in work.borne.pop(link, []) if abs(points[one.at] - pivot) > 0.0]
-    if not borne:
-        return None
-    draft = work.bench.draft
-    draft.open(f"{UNBALANCE} {link}")
-    mu = draft.scale("μ_D", "(kg·m)/mm")
-    start = end = draft.take(Point, "o", 0j)
-    draft.lay_out(start)
-    sides: list[Side] = []
-    for k, one in enumerate(borne, 1):
+    draft.open(MASSES)
+    vectors = []
+    for one in borne:
         way = points[one.at] - pivot
         radius = work.known(f"l_{{{arm.pivot}{one.at}}}", abs(way), "m")
-        letter = f"D_{{{one.tag}}}"
-        moment = draft.draw(f.static_moment, letter, one.mass, radius, unit="kg·m")
-        turned = math.degrees(cmath.phase(way)) - body.angle + one.turned
-        line = draft.draw(ray, f"({letter})", end, draft.direction(_near(turned)), why=why.SIDE)
-        length = draft.draw(to_board, f"y_{{{one.tag}}}", moment)
-        tail, end = end, draft.draw(lay_off, str(k), line, length, why=why.SIDE)
-        sides.append((letter, tail, end))
-    closing = draft.draw(measure, f"{end.letter}{start.letter}", end, start, why=why.CLOSES)
-    missing = draft.draw(in_si, f"D_{{c{link}}}", closing, unit="kg·m")
-    angle = draft.draw(bearing, f"α_{{c{link}}}", end, start, unit="°", why=why.AGAINST)
-    mass, radius = _sized(work, link, missing)
-    found = Unbalance(link, mu, start, tuple(sides), closing, missing, mass, radius, angle)
-    work.found.append(found)
-    return found
+        letter, angle = f"D_{{{one.tag}}}", math.degrees(cmath.phase(way)) - body.angle + one.turned
+        size = draft.draw(rotors.unbalance, letter, one.mass, radius, unit="kg·m")
+        exact = turned(one.exact * abs(way), angle)
+        vectors.append(Vector(letter, size, draft.direction(_near(angle)), exact))
+    view, mu = f"{UNBALANCE} {link}", ("μ_D", "(kg·m)/mm")
+    polygon = draw_polygon(draft, view, mu, vectors, f"D_{{c{link}}}")
+    if polygon is None:
+        return None
+    if polygon.angle is None:
+        work.found.append(Unbalance(link, polygon, None))
+        return None
+    mass, radius, exact = _sized(work, link, polygon)
+    work.found.append(Unbalance(link, polygon, (mass, radius, polygon.angle)))
+    return Borne(f"c{link}", mass, exact, arm.pivot)
 
 
 def _near(degrees: float) -> float:
@@ -303,19 +281,23 @@ def _near(degrees: float) -> float:
     return found + 0.0
 
 
-def _sized(work: _Work, link: int, missing: Mark) -> tuple[Mark, Mark]:
-    """Return mass and radius of a counterweight: the one that is given, and the other, which follows.
+def _sized(work: _Work, link: int, polygon: Polygon) -> tuple[Mark, Mark, float]:
+    """Return mass and radius of a counterweight, its mass exactly: one is given, and the other follows.
 
     One that nothing is said of stands as far from the pivot as the pin does.
     """
-    draft, arm = work.bench.draft, work.arms[link]
+    draft, arm, missing = work.bench.draft, work.arms[link], polygon.size
     one = next((one for one in work.order.counterweights if one.link == link), None)
     if one is None:
         points, letters = work.points(link), (arm.pin or next(iter(work.points(link))), arm.pivot)
         one = Counterweight(link, None, abs(points[letters[0]] - points[letters[1]]))
     if one.mass is not None:
         mass = draft.take(Number, f"m_{{c{link}}}", one.mass, "kg")
-        return mass, draft.draw(f.radius_of, f"r_{{c{link}}}", missing, mass, unit="m")
+        found = draft.draw(
+            rotors.radius_of_counterweight, f"r_{{c{link}}}", missing, mass, unit="m"
+        )
+        return mass, found, one.mass
     assert one.radius is not None
     radius = draft.take(Number, f"r_{{c{link}}}", one.radius, "m")
-    return draft.draw(f.mass_at, f"m_{{c{link}}}", missing, radius, unit="kg"), radius
+    mass = draft.draw(rotors.mass_of_counterweight, f"m_{{c{link}}}", missing, radius, unit="kg")
+    return mass, radius, abs(polygon.exact) / one.radius

@@ -38,31 +38,3 @@ def at_pin(mass: Number, far: Number, length: Number) -> Number:
 )
 def answered(mass: Number, share: Number) -> Number:
     """{share}·{mass}"""
-
-
-@formula(
-    why=said(
-        "What shakes is not the mass alone: it is the static moment, the mass times its distance from the "
-        "pivot."
-    )
-)
-def static_moment(mass: Number, radius: Number) -> Number:
-    """{mass}·{radius}"""
-
-
-@formula(
-    holds="{radius} ≠ 0",
-    fails="a counterweight at the pivot balances nothing",
-    why=said("The static moment that is missing, at the radius that is given: the mass follows."),
-)
-def mass_at(moment: Number, radius: Number) -> Number:
-    """{moment}/{radius}"""
-
-
-@formula(
-    holds="{mass} ≠ 0",
-    fails="a counterweight without mass balances nothing",
-    why=said("The static moment that is missing, with the mass that is given: the radius follows."),
-)
-def radius_of(moment: Number, mass: Number) -> Number:
-    """{moment}/{mass}"""

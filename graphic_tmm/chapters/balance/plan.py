@@ -89,7 +89,7 @@ class Balance:
 
     ``bare``: of the links; ``weighted``: with the counterweights, ``removed``: what these take away, %; None
     where there are none. ``about``: the letter of the point of the moments; ``base``, ``chart``: their graph.
-    ``unbalances``: of links whose counterweights were found; ``pulls``: the inertia forces.
+    ``unbalances``: of links whose counterweights were looked for; ``pulls``: the inertia forces.
     """
 
     order: BalanceTask
@@ -133,8 +133,9 @@ def record(bench: Bench) -> Balance | None:
     if order.method is None:
         weights = [draw_given(bench, plans, one) for one in order.counterweights]
     else:
-        sized = ((one.link, (one.mass, one.radius, one.angle)) for one in found)
-        weights = [draw_weight(bench, plans, link, of) for link, of in sized]
+        weights = [
+            draw_weight(bench, plans, one.link, one.held) for one in found if one.held is not None
+        ]
     pulls, couples = _links(bench.draft, plans, at)
     if not pulls:
         says = said(

@@ -59,15 +59,11 @@ _STATIC = said(
 
 
 def reach(project: Project, doubts: Doubts) -> dict[Mark, float]:
-    """Return, by μ, how far the polar diagram reaches (N), and the polygons of static moments (kg·m)."""
+    """Return, by μ, how far the polar diagram reaches (N)."""
     made = BALANCE_PLAN.on(project)
-    ends = {made.mu: [one.end for one in made.wholes]}
-    ends |= {one.mu: [head for _, _, head in one.sides] for one in made.unbalances}
-    reading = unscaled(project, doubts, [end for some in ends.values() for end in some])
-    return {
-        mu: extent([np.array([0j]), *(np.ravel(reading[end]) for end in some)])
-        for mu, some in ends.items()
-    }
+    ends = [one.end for one in made.wholes]
+    reading = unscaled(project, doubts, ends)
+    return {made.mu: extent([np.array([0j]), *(np.ravel(reading[end]) for end in ends)])}
 
 
 def _factors(sized: Sized) -> Iterator[ScaleFactor]:
@@ -75,7 +71,8 @@ def _factors(sized: Sized) -> Iterator[ScaleFactor]:
     room = sized.sizes[BALANCE]
     yield ScaleFactor(made.mu, "Φ_{max}", far[made.mu], room, made.order.mu, why=_POLAR)
     for one in made.unbalances:
-        yield ScaleFactor(one.mu, "D_{max}", far[one.mu], room * STATIC / POLAR, why=_STATIC)
+        most = room * STATIC / POLAR
+        yield ScaleFactor(one.polygon.mu, "D_{max}", one.polygon.reach, most, why=_STATIC)
 
 
 SCALES = ScaleFactors(
@@ -85,6 +82,6 @@ SCALES = ScaleFactors(
     keys=lambda project: {
         FORCE: "mu_Phi",
         MOMENT: "mu_M_Phi",
-        **{one.view: f"mu_D_{one.link}" for one in BALANCE_PLAN.on(project).unbalances},
+        **{one.polygon.view: f"mu_D_{one.link}" for one in BALANCE_PLAN.on(project).unbalances},
     },
 )

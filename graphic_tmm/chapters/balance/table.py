@@ -63,7 +63,7 @@ TABLE = Tabled(columns=balance_columns, results=balance_results, marks=balance_m
 def _views(project: Project) -> dict[str, list[str]]:
     made = BALANCE_PLAN.on(project)
     weights = [COUNTERWEIGHTS] if made.weights else []
-    found = [MASSES, *(one.view for one in made.unbalances)] if made.unbalances else []
+    found = [MASSES, *(one.polygon.view for one in made.unbalances)] if made.unbalances else []
     return {BALANCE: [*found, *weights, INERTIA, FORCE, MOMENT]}
 
 

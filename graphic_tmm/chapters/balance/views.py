@@ -6,7 +6,6 @@ import numpy as np
 
 from graphic_tmm.chapters.balance.ink import (
     draw_polar,
-    draw_unbalance,
     pull_letters,
     weight_letters,
     weight_strokes,
@@ -25,6 +24,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import draw_position_ink
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.chapters.kinematics.task import POSITIONS
+from graphic_tmm.chapters.rotors.ink_polygon import draw_polygon_ink
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
@@ -66,14 +66,13 @@ def balance_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 
 def _unbalance(drawn: Drawn, one: Unbalance, lettered: bool) -> Drawing:
-    language = drawn.scene.language
-    on = subject(drawn, called(one.view, speaking(language)), BALANCE)
-    figure = f"{number(drawn.value(one.moment), language, 4)} {unit('kg·m', language)}"
-    lines = (
-        mu_text(drawn.scales[one.view], language),
-        f"{symbol(one.moment.name, language)} = {figure}",
-    )
-    return with_caption(draw_unbalance(on, one), on, lettered, *lines, known=[one.moment])
+    language, polygon = drawn.scene.language, one.polygon
+    on = subject(drawn, called(polygon.view, speaking(language)), BALANCE)
+    mu = drawn.scales[polygon.view]
+    figure = f"{number(drawn.value(polygon.size), language, 4)} {unit('kg·m', language)}"
+    lines = mu_text(mu, language), f"{symbol(polygon.size.name, language)} = {figure}"
+    view = draw_polygon_ink(on, polygon, mu.value)
+    return with_caption(view, on, lettered, *lines, known=[polygon.size])
 
 
 def worst(drawn: Drawn, made: Balance) -> int:

@@ -93,14 +93,6 @@ MOMENTS_SUM = said(
     "counter-clockwise positive."
 )
 BOTH_SUMS = said("The moments of the counterweights are added to those of the links.")
-SIDE = said(
-    "The static moments are laid off one after another, each along the way from the pin to its mass, from the "
-    "axis of the link on."
-)
-CLOSES = said(
-    "The side that closes the polygon is the static moment that is missing: that of the counterweight."
-)
-AGAINST = said("The closing side shows on which side of the link, and at which angle, it stands.")
 COUNTERWEIGHT_LINE = said(
     "The counterweight is fixed in its link: its line stands at one angle to the link in all positions."
 )
