@@ -23,6 +23,8 @@ ALLOWED = {
     "chapters/forces/words.py: view.partition(' ')",
     # so they do of a plan by the link of its drive
     "chapters/kinematics/words.py: view.rpartition(' ')",
+    # of the static moments of a link
+    "chapters/balance/words.py: view.rpartition(' ')",
     # and of a diagram by the letter of its cylinder
     "chapters/indicator/words.py: view.partition(' ')",
     # machines call the scale factor of a base by the view that was calculated for

@@ -221,7 +221,7 @@ class Equations:
             return  # a sum of vectors has no value
         first, *rest = sides
         last = _UNIT.sub("", last).strip().rstrip("\\ ")
-        if last == "0" and len(rest) == 1:
+        if last == "0" and len(rest) == 1 and letters_of(rest[0]):
             self._open = (first, rest[0])
             return
         result = _number(last)
@@ -245,6 +245,8 @@ class Equations:
             told, put = leaves_of(letters), leaves_of(figures)
             if "letter" not in {kind for kind, _, _ in told}:
                 return
+            if due.value == 0.0:  # the minus with which a sum begins is its first term's, not a figure's
+                told, put = ([(*some[0][:2], False), *some[1:]] for some in (told, put))
             sizes = due.value == 0.0 and "|" not in letters
             known = {**self.known, **self._paired(told, put, extra, sizes), **extra}
             found = put_in(letters, known)

@@ -103,7 +103,7 @@ def half_of(told: str) -> float:
         return 0.5 * 10.0 ** -len(rest)
     if not value:
         return 0.0
-    if len(whole) > DIGITS and not rest:
+    if len(whole) >= DIGITS - 1 and not rest:  # three digits are printed of what a table holds
         return 0.5
     return float(0.5 * 10.0 ** (math.floor(math.log10(value)) + 1 - DIGITS))
 
