@@ -265,6 +265,8 @@ class Equations:
         The same size is stated already: then its sign is, too. ``sizes``: no figure has a sign of its own.
         """
         told = [one for one in told if one[1].strip("|") not in {name.strip("|") for name in extra}]
+        if len(told) < len(put) and put[0][1] == "0":
+            put = put[1:]  # what is sought stands alone in a sum that is nothing
         if len(told) != len(put):
             return {}
         found: dict[str, Stated] = {}
