@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import CURVE, FREE, operation
+from graphic_tmm.board.grammar import FREE, operation
 from graphic_tmm.board.values import Curve, Length, Number, Point, Reals
 from graphic_tmm.chapters.motor.operations_curve import Motor, crossed, single
 from graphic_tmm.language.said import said
@@ -14,6 +14,8 @@ KNOTS = 241
 """Points of a characteristic: with a critical slip of 0.05 its curve is off by 4e-6 of the greatest moment."""
 BEYOND = 1.2
 """A characteristic is drawn so far, of the speed without load: behind it a motor brakes."""
+BY_POINTS, BY_RULER = "12K1 + 12K2", "2R1 + R2"
+"""By hand a characteristic is drawn with the French curve through a dozen points, or straight."""
 HALF, FROM_REST = 0.5, 2.0 / 3.0
 """Which share of the mean moment of an interval is that of its end; of the interval that begins at rest."""
 
@@ -82,7 +84,7 @@ def _speeds(idle: Reals) -> Reals:
 
 
 @operation(
-    symbol=CURVE,
+    symbol=BY_POINTS,
     across=True,
     why=said(
         "By Kloss's formula M = 2·M_k/(s/s_k + s_k/s) an asynchronous motor pulls by its slip."
@@ -102,7 +104,7 @@ def kloss_curve(
 
 
 @operation(
-    symbol=CURVE,
+    symbol=BY_RULER,
     across=True,
     why=said("A motor with a straight characteristic loses moment evenly with speed."),
 )
@@ -115,7 +117,7 @@ def straight_curve(starting: Number, idle: Number, mu_M: Number, mu_omega: Numbe
 
 
 @operation(
-    symbol=CURVE,
+    symbol=BY_RULER,
     across=True,
     why=said("A table tells the moment at some speeds; below the first it is level."),
 )
@@ -129,7 +131,7 @@ def level_curve(
 
 
 @operation(
-    symbol=CURVE,
+    symbol=BY_POINTS,
     across=True,
     why=said("Between two speeds of the table the moment changes evenly."),
 )
@@ -174,7 +176,7 @@ def known_energy(
 
 
 @operation(
-    symbol=CURVE,
+    symbol=BY_POINTS,
     across=True,
     why=said(
         "The energy that the machine would have at the end of the interval, by its speed there."
@@ -190,7 +192,7 @@ def parabola(inertia: Length, motor: Curve, mu_J: Number, mu_T: Number, mu_omega
 
 
 @operation(
-    symbol=CURVE,
+    symbol=BY_POINTS,
     across=True,
     why=said(
         "The energy that there is at the end of the interval: the motor's part of it hangs on the speed there."
