@@ -245,7 +245,9 @@ class Equations:
             told, put = leaves_of(letters), leaves_of(figures)
             if "letter" not in {kind for kind, _, _ in told}:
                 return
-            if due.value == 0.0:  # the minus with which a sum begins is its first term's, not a figure's
+            if (
+                due.value == 0.0
+            ):  # the minus with which a sum begins is its first term's, not a figure's
                 told, put = ([(*some[0][:2], False), *some[1:]] for some in (told, put))
             sizes = due.value == 0.0 and "|" not in letters
             known = {**self.known, **self._paired(told, put, extra, sizes), **extra}
