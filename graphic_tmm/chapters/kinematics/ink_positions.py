@@ -57,7 +57,8 @@ class PositionsFigure(NamedTuple):
     """What the plan of positions shows: the positions' names; by index the one drawn heavy, ``main``.
 
     ``skipped``: those that cannot be drawn, ``extremes``: those in full line. ``led``: the mark that the drive
-    leads, and before it the one that it is led about. ``whole``: the row is a turn, or turns.
+    leads, and before it the one that it is led about. ``whole``: the row is a turn, or turns. ``turns``: the
+    names at the pin of the crank, with those of later turns; along paths stand those of the first one.
     """
 
     names: Sequence[str]
@@ -66,6 +67,7 @@ class PositionsFigure(NamedTuple):
     led: tuple[Mark, Mark]
     extremes: Sequence[int] = ()
     whole: bool = True
+    turns: Sequence[str] = ()
 
 
 def draw_positions_ink(
@@ -76,7 +78,7 @@ def draw_positions_ink(
     positions: Positions,
 ) -> Drawing:
     """Return the plan of positions; ``reaches``: how far each guide is used, mm."""
-    names, main, led = shown.names, shown.main, shown.led
+    names, main, led = shown.turns or shown.names, shown.main, shown.led
     point, small = on.heights.point, on.heights.number
     places = [i for i in range(len(names)) if i not in shown.skipped]
     ink = PositionsInk(on.construction, on.reading, reaches, places)
@@ -103,7 +105,7 @@ def draw_positions_ink(
         *speeds,
         *pins,
         *guide_names(ink, main, small),
-        *path_numbers(ink, led, names, places, [main, *full], apart),
+        *path_numbers(ink, led, shown.names, places, [main, *full], apart),
     ]
     circled = link_numbers(ink, main, strokes, [*letters, *speeds, *pins], small)
     strokes += [stroke for one in circled for stroke in one.strokes]

@@ -59,12 +59,13 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the plan of positions."""
     made, words = KINEMATICS_PLAN.on(drawn), captions(drawn.scene.language)
     shown = PositionsFigure(
-        _together(drawn, made),
+        drawn.names,
         drawn.main,
         (*drawn.undrawn, *made.repeated),
         made.led,
         made.extremes,
         made.ends is None,
+        _together(drawn, made),
     )
     on = subject(drawn, words["positions"], POSITIONS)
     view = draw_positions_ink(on, reaches(drawn), shown, made.pairs, made.positions)._replace(
@@ -75,7 +76,7 @@ def position_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
 
 
 def _together(drawn: Drawn, made: KinematicPlans) -> list[str]:
-    """Return what positions are called on the plan: those of later turns with that of the first."""
+    """Return what positions are called at the crank: those of later turns with that of the first."""
     size, names = made.in_turn, drawn.names
     whole = range(made.count)
     return [

@@ -200,9 +200,7 @@ def test_every_slider_bears_the_numbers_of_its_positions_where_it_stands(name: s
         for label in told:
             for part in told_by(label.text):
                 at = spot(work, mark, work.names.index(part))
-                # a label of several numbers is long, and finds its room farther away
-                far = 22.0 + 3.0 * max(0, len(told_by(label.text)) - 2)
-                assert box(label).distance(shapely.Point(at.real, at.imag)) < far
+                assert box(label).distance(shapely.Point(at.real, at.imag)) < 22.0
 
 
 @pytest.mark.parametrize("name", NAMES)
