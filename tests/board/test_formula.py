@@ -192,6 +192,7 @@ SILENT = {
     "perceived_shift": ([1.0 + 2.0**-50, 1.0, 0.5], 0.0),
     "whole_mm_above": ([0.021 + 2.0**-56], 0.021),
     "whole_mm_below": ([0.021 - 2.0**-56], 0.021),
+    "speed_of_ray": ([-(2.0**-50), 1.0, 1.0], 0.0),
 }
 """Where a text is silent, or says what nobody means: what its body says."""
 

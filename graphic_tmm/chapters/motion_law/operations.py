@@ -156,6 +156,7 @@ def slope_of_ray(up: Length, along: Length) -> Number:
 
 
 @formula(
+    holds="{slope} ≥ 0",
     fails="the machine comes to rest before this position",
     why=said(
         "T = J·ω²/2, so the ray to the point of a position has the slope tan ψ = ω²·μ_J/(2·μ_T)."
