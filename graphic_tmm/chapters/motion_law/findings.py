@@ -13,7 +13,7 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.readers.findings import Warned
 
 NEAR = 1e-6
-"""A motion that ends nearer to the end of the base than this share of it goes to the end."""
+"""A motion that ends nearer to its beginning than this share of the base does not begin."""
 
 COARSE = 2.0
 """An error of ω, %, up to which the number of positions is large enough: about that of an honest hand."""
@@ -30,7 +30,7 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
             "motion_law: the machine does not start: at rest the forces do not drive the crank; change M, the "
             "loads or the zero position"
         )
-    elif far < (1.0 - NEAR) * whole:
+    elif not math.isfinite(drawn.value(law.energy.end)):
         yield _(
             "motion_law: the machine comes to rest at φ = {angle}° after {time} s, and does not reach the "
             "positions behind",

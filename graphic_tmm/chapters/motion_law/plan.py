@@ -61,7 +61,7 @@ from graphic_tmm.scene.chapter import Recorded
 class MotionLaw:
     """The law of motion as drawn: its charts, the points of the energy–mass diagram, where the motion ends.
 
-    ``omega``: 1/s at positions and at the end of the base (Number). ``rest``: where the motion ends (Point on
+    ``energy``: J there (Length); at the end of the base only of a machine that comes so far. ``omega``: 1/s at positions and at the end of the base (Number). ``rest``: where the motion ends (Point on
     the graph of the energy); ``angle``, ``time``: how far and how long it goes until there (Number). ``rays``:
     those of the diagram, ``curve`` through its points. ``error``: by so much ω may be off, %.
     """
@@ -75,6 +75,7 @@ class MotionLaw:
     points: Both
     curve: Mark
     rays: Both
+    energy: Both
     omega: Both
     rest: Mark
     angle: Mark
@@ -137,6 +138,7 @@ def draw_law(
         law.points,
         law.curve,
         law.ray_lines,
+        law.energy,
         omega,
         law.rest,
         angle,
@@ -153,6 +155,7 @@ def draw_law(
 class _Law(ByMotor):
     """The graphs while they are drawn, one after another."""
 
+    energy: Both
     points: Both
     curve: Mark
     ray_lines: Both

@@ -194,3 +194,12 @@ def test_without_a_moment_there_is_nothing_to_draw(tmp_path: Path) -> None:
     head, _, tail = text.partition("[[cylinder]]")
     with pytest.raises(SceneError, match="nothing drives or resists"):
         scene_at(tmp_path, head + tail[tail.index("[motion_law]") :])
+
+
+def test_a_base_whose_end_is_read_with_a_ruler_is_gone_to_its_end(tmp_path: Path) -> None:
+    """On 133.33 mm a ruler of 0.1 mm reads 133.3: that is no rest."""
+    text = written(disc(40.0, 0.0), 12)
+    rough = text.replace("turns = 1\n", 'turns = 1\nbase = "133.33 mm"\n')
+    made = drawn_of(scene_at(tmp_path, rough.replace('ruler = "exact"', 'ruler = "0.1 mm"')))
+    assert made.value(LAW_PLAN.on(made).angle) < 2.0 * np.pi * (1.0 - 1e-4)
+    assert not [one for one in warnings(made, "en") if "comes to rest" in one]
