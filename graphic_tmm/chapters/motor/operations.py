@@ -7,13 +7,11 @@ import numpy as np
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.grammar import FREE, operation
 from graphic_tmm.board.values import Curve, Length, Number, Point, Reals
-from graphic_tmm.chapters.motor.operations_curve import Motor, crossed, single
+from graphic_tmm.chapters.motor.operations_curve import BEYOND, Motor, crossed, single
 from graphic_tmm.language.said import said
 
 KNOTS = 241
 """Points of a characteristic: with a critical slip of 0.05 its curve is off by 4e-6 of the greatest moment."""
-BEYOND = 1.2
-"""A characteristic is drawn so far, of the speed without load: behind it a motor brakes."""
 BY_POINTS, BY_RULER = "12K1 + 12K2", "2R1 + R2"
 """By hand a characteristic is drawn with the French curve through a dozen points, or straight."""
 HALF, FROM_REST = 0.5, 2.0 / 3.0
@@ -119,14 +117,16 @@ def straight_curve(starting: Number, idle: Number, mu_M: Number, mu_omega: Numbe
 @operation(
     symbol=BY_RULER,
     across=True,
-    why=said("A table tells the moment at some speeds; below the first it is level."),
+    why=said(
+        "A table tells the moment at some speeds; below the first and above the last it is level."
+    ),
 )
 def level_curve(
     moment: Number, last: Number, ratio: Number, mu_M: Number, mu_omega: Number
 ) -> Curve:
-    """Up to {last}, by {ratio} times less on the crank, draw {it} level, as high as {moment}."""
+    """Up to {last} and on, by {ratio} times less on the crank, draw {it} level, as high as {moment}."""
     moment, last, ratio = single((moment, last, ratio))
-    omega = last / ratio * np.arange(KNOTS) / (KNOTS - 1)
+    omega = _speeds(last / ratio)
     return _through(omega, moment * ratio + 0.0 * omega, 0.0 * omega, mu_M, mu_omega)
 
 
@@ -144,10 +144,11 @@ def on_to(
     omega, moment, after, then, ratio, mu_M, mu_omega = values
     x, step = motor.knots.real, motor.tangents.real[:, :1]
     slope = (then - moment) * ratio / mu_M / ((after - omega) / ratio / mu_omega)
-    begin = omega / ratio / mu_omega
-    behind = x >= begin * (1.0 - 1e-12)
-    y = np.where(behind, moment * ratio / mu_M + slope * (x - begin), motor.knots.imag)
-    rise = np.where(behind, slope * step, motor.tangents.imag)
+    begin, end = omega / ratio / mu_omega, after / ratio / mu_omega
+    behind, beyond = x >= begin * (1.0 - 1e-12), x >= end * (1.0 - 1e-12)
+    y = moment * ratio / mu_M + slope * (np.minimum(x, end) - begin)
+    y = np.where(behind, y, motor.knots.imag)
+    rise = np.where(behind, np.where(beyond, 0.0, slope * step), motor.tangents.imag)
     return Curve(x + 1j * y, step + 1j * rise, False)
 
 
@@ -218,5 +219,5 @@ def crossing(parabola: Curve, energy: Curve, start: Length) -> Point:
     """From {start} on, where {parabola} and {energy} cross, mark {it}."""
     rise = energy.tangents.imag - parabola.tangents.imag
     left = Motor(parabola.knots.real, energy.knots.imag - parabola.knots.imag, rise)
-    x = crossed(left, start[:, :1], left.at(start[:, :1]))
-    return Point(x + 1j * Motor(left.omega, parabola.knots.imag, parabola.tangents.imag).at(x))
+    x = crossed(left, start[:, :1], left.inside(start[:, :1]))
+    return Point(x + 1j * Motor(left.omega, parabola.knots.imag, parabola.tangents.imag).inside(x))

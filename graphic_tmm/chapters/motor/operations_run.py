@@ -15,7 +15,7 @@ import numpy as np
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.grammar import FREE, WHOLE_ROW, operation
-from graphic_tmm.board.operations.graphs import alike
+from graphic_tmm.board.operations.graphs import HALVINGS, alike
 from graphic_tmm.board.values import Curve, Length, Number, Reals
 from graphic_tmm.chapters.motor.operations import FROM_REST, HALF
 from graphic_tmm.chapters.motor.operations_curve import ROUNDS, Motor, crossed, motor_of
@@ -28,6 +28,8 @@ MOST = 200
 """Turns after which a run-up is given up."""
 
 
+FASTEST = 10.0
+"""Above so many ends of a characteristic no cycle is steady: the machine runs away."""
 CLOSE = 1e-6
 """A speed is that of the steady cycle when a turn changes it by less than this share."""
 
@@ -54,14 +56,28 @@ def _after(motor: Motor, omega: Reals, over: Interval) -> tuple[Reals, Reals]:
     )
     here = known + part * now - over.inertia * omega**2 / 2.0
     speed = crossed(left, omega, here)
-    # behind its end a characteristic goes on level
-    beyond = np.isnan(speed) & (here > 0.0)
-    end = np.maximum(2.0 * (known + part * motor.moment[:, -1:]) / over.inertia, 0.0)
-    speed = np.where(beyond, np.sqrt(end), speed)
+    behind = np.isnan(speed) & (
+        (here > 0.0) | ((omega > knots[:, -1:]) & (left.moment[:, -1:] >= 0.0))
+    )
+    if behind.any():
+        speed = np.where(behind, _beyond(motor, omega, known, part, over.inertia), speed)
     energy = over.inertia * speed**2 / 2.0
     # at rest the motor has the moment of its start: so much energy is missing
     missing = np.minimum(left.moment[:, :1], -1e-6 * np.abs(known))
     return speed, np.where(np.isnan(speed) & np.isfinite(omega), missing, energy)
+
+
+def _beyond(motor: Motor, omega: Reals, known: Reals, part: Reals, inertia: Reals) -> Reals:
+    """Return the speed above the end of the characteristic with which an interval ends that began at ω."""
+    end = motor.omega[:, -1:]
+    # above its end a moment is below nothing, or level
+    most = np.sqrt(2.0 * (known + part * np.maximum(motor.moment[:, -1:], 0.0)).clip(0.0) / inertia)
+    low, high = end + 0.0 * known, np.maximum(np.maximum(most, omega), end)
+    for _ in range(HALVINGS):
+        middle = (low + high) / 2.0
+        more = known + part * motor.beyond(middle) > inertia * middle**2 / 2.0
+        low, high = np.where(more, middle, low), np.where(more, high, middle)
+    return low
 
 
 class Turns(NamedTuple):
@@ -161,7 +177,10 @@ def _steady(own: Turns, omega: Reals) -> Reals:
         # each round squares what is off
         if not (np.abs(omega - before) > CLOSE * omega).any():
             break
-    return np.where(np.abs(first - before) < CLOSE * omega, omega, np.nan)
+    found = np.where(np.abs(first - before) < CLOSE * omega, omega, np.nan)
+    # what drives a machine ever faster hardly changes its speed in a turn, either
+    level = own.motor.rise[:, -1:] == 0.0
+    return np.where(found > np.where(level, 1.0, FASTEST) * own.motor.omega[:, -1:], np.nan, found)
 
 
 def _idle(motor: Motor) -> Reals:

@@ -181,6 +181,28 @@ def test_a_table_is_gone_through_straight(tmp_path: Path) -> None:
     assert off(speeds(made), motion(of._replace(motor=moment), angles(180)).omega) < 1e-3
 
 
+@pytest.mark.parametrize(("seed", "times"), [(0, 1.5), (4, 3.2), (2, 3.2)])
+def test_a_motor_brakes_above_its_drawn_end(tmp_path: Path, seed: int, times: float) -> None:
+    """Kloss's brakes by its formula, less and less; a straight one more and more."""
+    of, motor = driven(seed)
+    assert motor.straight == (seed == 2)
+    of = of._replace(start=times * motor.synchronous / motor.ratio)
+    assert off(speeds(drawn(tmp_path, of, 48)), motion(of, angles(48)).omega) < 5e-3
+
+
+def test_a_table_goes_on_level_above_its_end(tmp_path: Path) -> None:
+    of, motor = driven(0)
+    idle, most = motor.synchronous, motor.overload * motor.power / motor.nominal
+    x, y = (0.0, 0.9 * idle, idle), (most, most, -most / 2.0)
+    of = of._replace(
+        start=2.0 * idle / motor.ratio,
+        motor=lambda omega: float(motor.ratio * np.interp(omega * motor.ratio, x, y)),
+    )
+    points = [list(one) for one in zip(x, y, strict=True)]
+    made = drawn(tmp_path, of, 48, more=f"[motor]\npoints = {points}\nratio = {motor.ratio!r}\n")
+    assert off(speeds(made), motion(of, angles(48)).omega) < 5e-3
+
+
 def weak() -> Machine:
     """A motor that its load stops within the turn."""
     light = crank(3)._replace(masses=(1e-9, 1e-9), inertia=1e-12, pressure=lambda phi: 0.0 * phi)
