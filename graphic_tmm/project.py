@@ -46,8 +46,9 @@ class Plan(Answer):
     the graphs on axes of its record.
 
     ``result``: the marks of its record that are all known at some position if the chapter has a result;
-    ``remedy``: why it has none otherwise, and what to do, printed after its name. ``ranges``: the end of the
-    sentence that lists the positions that can be drawn, and what helps.
+    ``remedy``: why it has none otherwise, and what to do, printed after its name; ``causes``: marks that tell
+    more where they are known nowhere, the first of them its reason. ``ranges``: the end of the sentence that
+    lists the positions that can be drawn, and what helps.
     """
 
     stands: ClassVar[str] = "record.PLAN"
@@ -57,6 +58,7 @@ class Plan(Answer):
     charts: Callable[[Any], Iterable[Chart]] = lambda made: ()
     result: Callable[[Any], Iterable[Mark]] = lambda made: ()
     remedy: str = ""
+    causes: Callable[[Any], Iterable[tuple[Mark, str]]] = lambda made: ()
     ranges: Callable[[Project], tuple[str, str]] = lambda project: ("", "")
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from graphic_tmm.board.execute import Reading, execute
+from graphic_tmm.board.record import Mark
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
@@ -32,14 +33,15 @@ def without_absent(scene: Scene) -> Scene | None:
     SceneError
         If the scene asks for nothing else.
     """
-    gone = {one.name: one for one in _absent(scene)}
+    why = {one.name: (one, remedy) for one, remedy in _absent(scene)}
+    gone = {name: one for name, (one, _) in why.items()}
     if not gone:
         return None
     told = {
         name: said(
             "{chapter}: it is left out; {remedy}",
             chapter=chapter_title(one),
-            remedy=Plan.of(one).remedy,
+            remedy=why[name][1],
         )
         for name, one in gone.items()
     }
@@ -57,25 +59,31 @@ def chapter_title(chapter: Chapter) -> str:
     return words.get(f"chapter {chapter.name}", words.get(chapter.name, chapter.name))
 
 
-def _absent(scene: Scene) -> Iterator[Chapter]:
+def _absent(scene: Scene) -> Iterator[tuple[Chapter, str]]:
     boards = own_boards(scene)
     for board in (*((MECHANISM,) if scene.mechanism is not None else ()), *boards):
         project = record(scene, board)
-        marks = [
-            mark
-            for one in project.chapters
-            for mark in Plan.of(one).result(project.recorded[one.name])
-        ]
+        marks = [mark for one in project.chapters for mark in _telling(one, project)]
         given: Mapping[object, object] = dict.fromkeys(project.construction.given, 1.0)
         reading = execute(project.construction, {**given, **project.given}, marks)  # type: ignore[dict-item]
         yield from _without(project, reading)
 
 
-def _without(project: Project, reading: Reading) -> Iterator[Chapter]:
-    """Yield the chapters of which no result is known."""
+def _telling(one: Chapter, project: Project) -> list[Mark]:
+    """Return the marks that tell whether a chapter has a result, and why it has none."""
+    plan, made = Plan.of(one), project.recorded[one.name]
+    return [*plan.result(made), *(mark for mark, _ in plan.causes(made))]
+
+
+def _without(project: Project, reading: Reading) -> Iterator[tuple[Chapter, str]]:
+    """Yield the chapters of which no result is known, and why."""
     for one in project.chapters:
-        marks = [
-            mark for mark in Plan.of(one).result(project.recorded[one.name]) if mark in reading
-        ]
-        if any(not np.isfinite(reading[mark]).any() for mark in marks):
-            yield one
+        plan, made = Plan.of(one), project.recorded[one.name]
+        lost = {
+            mark
+            for mark in _telling(one, project)
+            if mark in reading and not np.isfinite(reading[mark]).any()
+        }
+        if not lost.isdisjoint(plan.result(made)):
+            causes = (remedy for mark, remedy in plan.causes(made) if mark in lost)
+            yield one, next(causes, plan.remedy)

@@ -9,6 +9,7 @@ from graphic_tmm.board.graphs import Axes, Boundaries
 from graphic_tmm.board.operations.energetics import added
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
+from graphic_tmm.chapters.kinematics.task import FULL_TURN
 from graphic_tmm.chapters.motion_law import words as why
 from graphic_tmm.chapters.motion_law.over_angle import Both, OverAngle
 from graphic_tmm.chapters.motion_law.task import SPEED
@@ -86,9 +87,18 @@ class ByMotor(OverAngle):
         due = draft.take(Number, "[δ]", delta)
         used = (motor.curve, due, *self.work, whole, self.base.length, motor.mu_M, motor.mu_omega)
         scales = self.work_mu, self.base.mu
+        without = (motor.curve, *self.work, whole, *used[5:], *scales)
+        alone = draft.draw(op.unevenness_without, "δ_1", *without, row=self.row)
+        more = draft.draw(op.more_even, "δ_1/[δ]", due, alone)
         self.flywheel = draft.draw(
             op.inertia_for, "J_F", *used, *scales, unit="kg·m²", row=self.row
         )
+        self.causes += [
+            (whole, FULL_TURN),
+            (alone, why.NOT_STEADY),
+            (more, why.NOT_NEEDED),
+            (self.flywheel, why.NONE_DOES),
+        ]
         parts[:] = [whole]
         return self.flywheel
 

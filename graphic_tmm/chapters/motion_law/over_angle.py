@@ -42,6 +42,7 @@ class OverAngle:
     def __init__(self, draft: Draft, machine: Machine, order: MotionLawTask) -> None:
         self.draft, self.machine, self.order = draft, machine, order
         self.charts: list[Chart] = []
+        self.causes: list[tuple[Mark, str]] = []
         draft.open(MOMENT)
         length = draft.take(Length, "L", order.base, "mm", roles.BASE)
         mu = angle_per_mm(draft, length, machine.turns)

@@ -30,6 +30,7 @@ from graphic_tmm.chapters.flywheel.energy import draw_energies
 from graphic_tmm.chapters.flywheel.plan import reduced_gas, reduced_loads
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
+from graphic_tmm.chapters.kinematics.task import FULL_TURN
 from graphic_tmm.chapters.motion_law import operations as op
 from graphic_tmm.chapters.motion_law import words as why
 from graphic_tmm.chapters.motion_law.by_motor import ByMotor, Inertia
@@ -61,9 +62,10 @@ from graphic_tmm.scene.chapter import Recorded
 class MotionLaw:
     """The law of motion as drawn: its charts, the points of the energy–mass diagram, where the motion ends.
 
-    ``energy``: J there (Length); at the end of the base only of a machine that comes so far. ``omega``: 1/s at positions and at the end of the base (Number). ``rest``: where the motion ends (Point on
-    the graph of the energy); ``angle``, ``time``: how far and how long it goes until there (Number). ``rays``:
-    those of the diagram, ``curve`` through its points. ``error``: by so much ω may be off, %.
+    ``energy``: at positions and at the end of the base, if the machine comes so far (Length); ``omega``: 1/s
+    there (Number). ``rest``: where the motion ends (Point on the graph of the energy); ``angle``, ``time``: how
+    far and how long it goes until there (Number). ``rays``: those of the diagram, ``curve`` through its points.
+    ``error``: by so much ω may be off, %. ``causes``: why there may be no motion, by what is then not known.
     """
 
     order: MotionLawTask
@@ -86,6 +88,7 @@ class MotionLaw:
     delta: Mark | None
     error: Mark | None
     flywheel: Mark | None
+    causes: tuple[tuple[Mark, str], ...]
 
 
 LAW_PLAN: Recorded[MotionLaw] = Recorded(MOTION_LAW)
@@ -117,7 +120,7 @@ def draw_law(
         If nothing has a mass, or nothing does work.
     """
     law = _Law(draft, machine, order)
-    law.moments(cylinder, forces)
+    law.moments(cylinder, forces, driven=motor is not None)
     law.works()
     law.motor = motor
     law.inertias()
@@ -149,6 +152,7 @@ def draw_law(
         law.unevenness(omega),
         law.error(law.known.row),
         law.flywheel,
+        tuple(law.causes),
     )
 
 
@@ -165,15 +169,18 @@ class _Law(ByMotor):
 
     # ------------------------------------------------------------ what acts, and its work
 
-    def moments(self, cylinder: Cylinder | None, forces: Forces | None) -> None:
-        """Reduce what acts to the crank, draw its moment: positive where it drives."""
+    def moments(self, cylinder: Cylinder | None, forces: Forces | None, *, driven: bool) -> None:
+        """Reduce what acts to the crank, draw its moment: positive where it drives.
+
+        ``driven``: by a motor, which needs no load.
+        """
         draft, machine, own = self.draft, self.machine, self.order.M
         moment: Mark | None = None
         if cylinder is not None:
             moment, _ = reduced_gas(draft, machine, cylinder, "resisting")
-        elif not own or (forces is not None and forces.loads.outer):
+        elif not (own or driven) or (forces is not None and forces.loads.outer):
             moment = reduced_loads(draft, machine, forces, "resisting", MOTION_LAW)
-        if own:
+        if own or moment is None:
             constant = draft.take(Number, "M_c", own, "N·m")
             moment = (
                 constant
@@ -223,6 +230,7 @@ class _Law(ByMotor):
         if self.motor is not None and self.order.steady:
             used = self.by_motor(self.motor, read, mu)
             omega = draft.draw(steady_speed, "ω_0", *used, unit="1/s", row=self.row)
+            self.causes += [(inertia, FULL_TURN), (omega, why.NOT_STEADY)]
         else:
             omega = draft.take(Number, "ω_0", self.order.start, "1/s")
         first = draft.draw(op.first_energy, "T_0", first_x, mu, omega, unit="J")

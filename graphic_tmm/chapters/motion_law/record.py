@@ -30,4 +30,5 @@ PLAN = Plan(
     charts=lambda made: made.charts,
     result=lambda made: (made.angle,),
     remedy=FULL_TURN,
+    causes=lambda made: made.causes,
 )

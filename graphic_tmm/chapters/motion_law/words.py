@@ -42,6 +42,16 @@ RAY = said("The ray from the true origin to the point of a position slopes as ω
 NORMAL = said("The normal in the middle of the chord goes down to the base.")
 SUBNORMAL = said("From the foot of the middle to that of the normal: the subnormal of the graph.")
 
+NOT_STEADY = said(
+    "there is no steady cycle: the motor is too weak for the loads, they drive it ever faster, or what turns "
+    "is too light for so few positions; give a stronger motor, more J, or more positions"
+)
+NOT_NEEDED = said(
+    "no flywheel is needed: without one the cycle is even enough already; leave delta out, or make it smaller"
+)
+NONE_DOES = said("no flywheel makes the cycle so even; make delta larger, or give more positions")
+"""Why there is no motion, and what to do."""
+
 SYMBOLS = (
     ("T", said("kinetic energy"), "J"),
     ("ψ", said("angle of a ray of the energy–mass diagram"), ""),

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.motor.operations import FROM_REST, HALF
 from graphic_tmm.chapters.motor.operations_curve import ROUNDS, Motor, crossed, motor_of
 from graphic_tmm.language.said import said
 
-NOT_NEEDED = "no flywheel is needed, or none makes the cycle so even"
+_NONE_DOES = "no flywheel makes the cycle so even"
 CLOSED = 1e-3
 """A run-up is steady where a turn changes the speed by less than this share."""
 MOST = 200
@@ -210,7 +210,33 @@ def steady_speed(
 @operation(
     symbol=FREE,
     across=True,
-    fails=NOT_NEEDED,
+    fails="there is no steady cycle",
+    why=said("Without a flywheel the steady cycle is so uneven."),
+)
+def unevenness_without(
+    motor: Curve, work: Length, end: Length, inertia: Number, base: Length,
+    mu_M: Number, mu_omega: Number, mu_A: Number, mu_phi: Number, *, row: int,
+) -> Number:  # fmt: skip
+    """Of the steady cycle with {inertia} by the motor {motor} calculate how uneven it is: {it}."""
+    values = (work * mu_A, end * mu_A, inertia, base * mu_phi)
+    own = turns_of(values, motor_of(motor, mu_M, mu_omega), row)
+    first = _steady(own, _idle(own.motor))
+    return Number(uneven([first, *(omega for omega, _ in own.go(first))]))
+
+
+@formula(
+    holds="{alone} > {delta}",
+    fails="no flywheel is needed: the cycle is even enough without one",
+    why=said("So many times more even the flywheel has to make the cycle."),
+)
+def more_even(delta: Number, alone: Number) -> Number:
+    """{alone}/{delta}"""
+
+
+@operation(
+    symbol=FREE,
+    across=True,
+    fails=_NONE_DOES,
     why=said(
         "A larger moment of inertia changes its speed less: what is added to that of the links is sought with "
         "which the steady cycle has the given δ."

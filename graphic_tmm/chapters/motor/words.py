@@ -25,6 +25,7 @@ WORDS = Named(
     captions={
         "chapter motor": said("Motor"),
         "motor": said("Characteristic of the motor on the crank"),
+        "motor-speeds": said("Speeds of the motor"),
         "motion-step": said("Crossing of one interval"),
     },
     plans=(MOTOR,),

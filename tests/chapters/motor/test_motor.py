@@ -15,6 +15,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
+from graphic_tmm.fitting.absent import without_absent
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 
@@ -162,6 +163,51 @@ def test_the_flywheel_keeps_the_given_irregularity(tmp_path: Path) -> None:
     heavier = of._replace(inertia=of.inertia + value(made, law.flywheel))
     again = drawn(tmp_path, heavier, 24, more=STEADY)
     assert value(again, LAW_PLAN.on(again).delta) == pytest.approx(alone / 3.0, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("more", "share", "says"),
+    [
+        (f"{STEADY}delta = 1.5\n", 1.0, "no flywheel is needed"),
+        (STEADY, 0.05, "the motor is too weak"),
+        (f"{STEADY}delta = 0.01\n", 0.05, "the motor is too weak"),
+    ],
+)
+def test_why_there_is_no_steady_cycle_is_told(
+    tmp_path: Path, more: str, share: float, says: str
+) -> None:
+    """The mechanism assembles all round: it is not what is wrong."""
+    of, motor = driven(0)
+    of = of._replace(start=0.0, motor=motor._replace(power=share * motor.power))
+    file = tmp_path / "scene.toml"
+    file.write_text(written(of, 12, more=more), encoding="utf-8")
+    without = without_absent(read(file))
+    assert without is not None
+    assert says in without.left_out["motion_law"]
+
+
+def test_a_motor_that_always_drives_has_no_steady_cycle(tmp_path: Path) -> None:
+    of, motor = driven(0)
+    points = [[0.0, 1e3 * motor.power], [motor.nominal, 1e3 * motor.power]]
+    file = tmp_path / "scene.toml"
+    of = of._replace(start=0.0, motor=lambda omega: 0.0)
+    text = written(of, 12, more=f"{STEADY}[motor]\npoints = {points}\n")
+    file.write_text(text, encoding="utf-8")
+    without = without_absent(read(file))
+    assert without is not None
+    assert "ever faster" in without.left_out["motion_law"]
+
+
+def test_a_motor_alone_runs_up(tmp_path: Path) -> None:
+    """Without a load there is a moment of nothing."""
+    of, motor = driven(0)
+    light = crank(3)._replace(masses=(1e-9, 1e-9), inertia=1e-12, pressure=lambda phi: 0.0 * phi)
+    of = of._replace(crank=light, moment=0.0, start=0.5 * motor.nominal / motor.ratio)
+    head, _, tail = written(of, 48).partition("[indicator]")
+    file = tmp_path / "scene.toml"
+    file.write_text(head + tail[tail.index("[motion_law]") :], encoding="utf-8")
+    made = drawn_of(read(file), exact=True)
+    assert off(speeds(made), motion(of, angles(48)).omega) < 1e-3
 
 
 def test_a_table_is_gone_through_straight(tmp_path: Path) -> None:
