@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import code_of, speaking
@@ -47,8 +47,11 @@ def conclusions(made: DrawnScene, language: str) -> Iterator[Block]:
     for drawn in made.boards:
         for chapter in drawn.project.chapters:
             found += page_of(drawn, chapter, language).concludes()
+    words = captions(language)
     for drawn in made.boards:
-        found += [lettered(_sentence(told)) for told in warnings(drawn, language, remedies=False)]
+        found += [
+            lettered(_sentence(told, words)) for told in warnings(drawn, language, remedies=False)
+        ]
     found = list({plain(repr(one)): one for one in reversed(found)}.values())[::-1]
     own = made.scene.author.conclusions
     if found or own:
@@ -75,7 +78,11 @@ def _exactness(made: DrawnScene, language: str) -> Iterator[Block]:
         yield in_columns(Table("table-exactness", title, heads, tuple(rows), "lc"), language, 2)
 
 
-def _sentence(told: str) -> str:
+def _sentence(told: str, words: Mapping[str, str]) -> str:
+    """Return a warning as a sentence; a key of several words, that would be a letter, as it is called."""
+    key, colon, rest = told.partition(": ")
+    if colon and "_" in key:
+        told = f"{words.get(key, key)}: {rest}"
     return f"{told[:1].upper()}{told[1:].rstrip('.')}."
 
 

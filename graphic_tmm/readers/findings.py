@@ -106,10 +106,14 @@ SILENT = ("touching", "lost")
 
 @dataclass(frozen=True)
 class Warned(Answer):
-    """A chapter's own warnings of a drawing, sentences in a language."""
+    """A chapter's own warnings of a drawing, sentences in a language.
+
+    ``covers``: views of which these say together why steps cannot be drawn, so that no line a step does.
+    """
 
     stands: ClassVar[str] = "findings.WARNINGS"
     warnings: Callable[[Drawn, str], Iterable[str]] = lambda drawn, language: ()
+    covers: Callable[[Drawn], Iterable[str]] = lambda drawn: ()
 
 
 def all_warnings(made: DrawnScene, language: str, *, sheets: bool = False) -> tuple[str, ...]:
@@ -139,7 +143,10 @@ def _sentences(drawn: Drawn, language: str, remedies: bool) -> Iterator[str]:
         _ = speaking(language)
         yield _("positions {missing} cannot be drawn{over}", missing=missing, over=over)
     findings = drawn.findings()
-    yield from (finding(f, project, language) for f in findings if f.kind not in SILENT)
+    covered = {view for chapter in project.chapters for view in Warned.of(chapter).covers(drawn)}
+    for one in findings:
+        if one.kind not in SILENT and not (one.kind == "undrawn" and one.step.it.view in covered):
+            yield finding(one, project, language)
     yield from left_out([f for f in findings if f.kind == "lost"], project, language)
     if off := told_off(drawn, language):
         yield plain("; ".join(off))

@@ -7,6 +7,15 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.kinematics.findings import assumed
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
+from graphic_tmm.chapters.motion_law.task import (
+    ACCELERATION,
+    ENERGY,
+    MASS,
+    SLOWNESS,
+    SPEED,
+    TIME,
+)
+from graphic_tmm.chapters.motor.task import MOTOR, RUN, STEP
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
@@ -36,6 +45,11 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
             "positions behind",
             angle=number(math.degrees(far), language, 4), time=number(drawn.value(law.time), language, 3),
         )  # fmt: skip
+    elif law.step is not None and not math.isfinite(drawn.value(law.step.omega)):
+        yield _(
+            "motor: the interval whose crossing would be drawn goes on above the end of the characteristic: it "
+            "is left out; write another step"
+        )
     error = drawn.value(law.error) if law.error is not None else 0.0
     if error > COARSE:
         count = drawn.project.count // law.turns
@@ -47,4 +61,15 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
     yield from assumed(drawn)
 
 
-WARNINGS = Warned(_warnings)
+def _covers(drawn: Drawn) -> Iterator[str]:
+    """Yield the views that lack positions because the machine rests, or a crossing that cannot be drawn."""
+    law = LAW_PLAN.of(drawn)
+    if law is None:
+        return
+    if not math.isfinite(drawn.value(law.energy.end)):
+        yield from (ENERGY, MASS, SPEED, ACCELERATION, SLOWNESS, TIME)
+    if law.step is not None and not math.isfinite(drawn.value(law.step.omega)):
+        yield from (MOTOR, RUN, STEP)
+
+
+WARNINGS = Warned(_warnings, _covers)

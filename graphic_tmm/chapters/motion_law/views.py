@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.indicator.views import indicator_views
@@ -113,7 +114,7 @@ def _diagrams(drawn: Drawn, law: MotionLaw, lettered: bool) -> Iterator[Drawing]
         at = [Spot(law.step.moment, 0, ends[0])] if law.step is not None else []
         one = Diagram(MOTOR, cross.along, cross.up, [(law.motor.curve, "")], at)
         found.append((one, (moment, omega), [mu_text(scales[MOTOR], language), mu_omega]))
-    if law.step is not None:
+    if law.step is not None and math.isfinite(drawn.value(law.step.omega)):
         step = law.step
         curves = [(step.parabola, "Jω²/2"), (step.energy, "T + ΔA + A_{m}")]
         one = Diagram(

@@ -7,15 +7,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from support.boards import drawn_of
+from support.boards import drawn_of, in_usual_size
 from support.flywheels import crank
 from support.motion_laws import Catalogue, Machine, driven, machine, motion, written
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
+from graphic_tmm.chapters.motion_law.views import law_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.absent import without_absent
+from graphic_tmm.note.section_conclusions import conclusions
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
 
@@ -258,14 +260,30 @@ def weak() -> Machine:
 
 def test_a_motor_that_is_too_weak_is_stopped_by_its_load(tmp_path: Path) -> None:
     of = weak()
-    made = drawn(tmp_path, of, 48)
+    made = drawn(tmp_path, of, 48, step=47)
     due, law, found = motion(of, angles(48)), LAW_PLAN.on(made), speeds(made)
     # the last position that is reached is nearly at rest: a tenth of a joule is a fiftieth of its speed
     assert off(found, due.omega) < 0.03
     assert np.isnan(found[-1])
     assert made.value(law.angle) == pytest.approx(due.rest[0], rel=0.01)
     assert made.value(law.time) == pytest.approx(due.rest[1], rel=0.02)
-    assert any("comes to rest at φ" in one for one in warnings(made, "en"))
+    assert law.step is not None
+    assert not np.isfinite(made.value(law.step.omega))
+    says = warnings(made, "en")
+    assert any("comes to rest at φ" in one for one in says)
+    assert not [one for one in says if ", step " in one], "one sentence says it all"
+    noted = repr(list(conclusions(in_usual_size(read(tmp_path / "scene.toml"), exact=True), "en")))
+    assert "Law of motion: the machine" in noted
+    assert "Motion" not in noted
+
+
+def test_a_crossing_that_cannot_be_drawn_is_left_out(tmp_path: Path) -> None:
+    of = driven(0)[0]
+    for times, there in ((1.0, True), (4.0, False)):
+        made = drawn(tmp_path, of._replace(start=times * of.start), 12)
+        assert ("motion-step" in [one.name for one in law_views(made, False)]) == there
+        left = [one for one in warnings(made, "en") if "write another step" in one]
+        assert bool(left) != there
 
 
 def test_a_machine_that_is_held_at_first_does_not_start(tmp_path: Path) -> None:
