@@ -51,6 +51,12 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
             "is left out; write another step"
         )
     error = drawn.value(law.error) if law.error is not None else 0.0
+    if law.error is None:
+        yield _(
+            "motion_law: of {count} positions a turn nothing can be left out evenly, so it is not known by how "
+            "much ω may be off: take an even number, 8 or more",
+            count=drawn.project.count // law.turns,
+        )
     if error > COARSE:
         count = drawn.project.count // law.turns
         yield _(
@@ -67,7 +73,7 @@ def _covers(drawn: Drawn) -> Iterator[str]:
     if law is None:
         return
     if not math.isfinite(drawn.value(law.energy.end)):
-        yield from (ENERGY, MASS, SPEED, ACCELERATION, SLOWNESS, TIME)
+        yield from (ENERGY, MASS, SPEED, ACCELERATION, SLOWNESS, TIME, RUN)
     if law.step is not None and not math.isfinite(drawn.value(law.step.omega)):
         yield from (MOTOR, RUN, STEP)
 

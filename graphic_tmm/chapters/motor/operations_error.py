@@ -38,6 +38,19 @@ def _areas(curve: Curve, row: int) -> Reals:
     return np.cumsum(np.diff(x, axis=1) * mean, axis=1)
 
 
+def _reached(energies: Reals, row: int, stride: int) -> Reals:
+    """Return the energies at every so many-th position that the machine reaches, at others NaN."""
+    there = np.cumprod(~(energies[:, :row] < 0.0), axis=1, dtype=bool)
+    return np.where(there, energies[:, :row], np.nan)[:, stride::stride]
+
+
+def _largest(shares: Reals) -> Number:
+    """Return the largest of those that are known; none where nothing was compared."""
+    known = np.isfinite(shares).any(axis=1, keepdims=True)
+    most = np.nanmax(np.where(known, shares, 0.0), axis=1, keepdims=True)
+    return Number(np.where(known, most, np.nan))
+
+
 @operation(
     symbol=FREE,
     across=True,
@@ -51,12 +64,12 @@ def error_of_works(
 ) -> Number:
     """From the works below {fine} and {rough}, as shares of {of}, ω errs by {it} %."""
     apart = _areas(fine, row)[:, stride - 1 :: stride] - _areas(rough, row // stride)
-    energy = of[:, stride:row:stride]
+    energy = _reached(of, row, stride)
     most = np.nanmax(energy, axis=1, keepdims=True, initial=0.0)
     size = np.where(most > 0.0, np.maximum(energy, SLOW**2 * most), np.nan)
     apart, size = alike(apart[:, :-1] * mu_M[:, :1] * mu_phi[:, :1], size)
     share = 100.0 * np.abs(apart) / (2.0 * size) / (stride**2 - 1.0)
-    return Number(np.nanmax(share, axis=1, keepdims=True, initial=0.0))
+    return _largest(share)
 
 
 @operation(
@@ -80,9 +93,9 @@ def error_of_steps(
         np.concatenate(alike(*(omega for omega, _ in run)), axis=1),
         own.inertia[:, stride:row:stride],
     )
-    omega = np.sqrt(np.maximum(2.0 * of[:, stride:row:stride] / heavy, 0.0))
+    omega = np.sqrt(2.0 * _reached(of, row, stride) / heavy)
     most = np.nanmax(omega, axis=1, keepdims=True, initial=0.0)
     size = np.where(most > 0.0, np.maximum(omega, SLOW * most), np.nan)
     wider = np.where(start[:, :1] > 0.0, stride**2 - 1.0, stride - 1.0)
     share = 100.0 * np.abs(rough - omega) / size / wider
-    return Number(np.nanmax(share, axis=1, keepdims=True, initial=0.0))
+    return _largest(share)

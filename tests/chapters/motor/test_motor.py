@@ -13,6 +13,7 @@ from support.motion_laws import Catalogue, Machine, driven, machine, motion, wri
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
+from graphic_tmm.chapters.motion_law.table import law_results
 from graphic_tmm.chapters.motion_law.views import law_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
@@ -98,6 +99,24 @@ def test_the_error_that_is_told_holds(tmp_path: Path, many: Callable[[int, int],
             assert error < 1.6 * told + 2e-5
             shares.append(error / told)
     assert np.median(shares) > 0.15
+
+
+def test_the_error_is_that_of_positions_that_are_reached(tmp_path: Path) -> None:
+    """What is behind a rest does not count; where nothing is compared none is told, nor of a prime number."""
+    jag = weak().crank._replace(pressure=lambda phi: 1e5 * (np.asarray(phi) > 5.0))
+    # it stands after three radians
+    light = weak()._replace(crank=jag, motor=lambda omega: 0.0, moment=-12.0, start=6.0)
+    made = drawn(tmp_path, light, 24)
+    assert not np.isfinite(value(made, LAW_PLAN.on(made).omega.end))
+    assert value(made, LAW_PLAN.on(made).error) < 0.01
+    made = drawn(tmp_path, light._replace(moment=-400.0), 24)
+    assert np.isnan(value(made, LAW_PLAN.on(made).error))
+    assert "motion_error" not in law_results(made)
+    for count, some in ((23, False), (4, False), (8, True)):
+        made = drawn(tmp_path, driven(0)[0], count)
+        assert (LAW_PLAN.on(made).error is not None) == some
+        says = [one for one in warnings(made, "en") if "take an even number" in one]
+        assert bool(says) != some
 
 
 def test_the_turns_of_a_run_up_are_counted(tmp_path: Path) -> None:
