@@ -124,9 +124,12 @@ class ByMotor(OverAngle):
         stride = max(
             s for s in range(1, a_turn + 1) if (a_turn % s == 0 and a_turn // s >= ENOUGH) or s == 1
         )
-        rows = self.draft.draw(op.turns_to_run_up, "n", *used, row=self.row, stride=stride)
-        turns = self.draft.take(Number, "n_t", float(self.machine.turns))
-        return self.draft.draw(op.turns_of_rows, "n_r", rows, turns)
+        # a four-stroke cycle is no turn: its speed never comes back before
+        long = 1 if self.order.indicator is None else self.machine.turns
+        choice = {"row": self.row, "stride": stride, "cycles": self.machine.turns // long}
+        cycles = self.draft.draw(op.turns_to_run_up, "n", *used, **choice)
+        turns = self.draft.take(Number, "n_t", float(long))
+        return self.draft.draw(op.turns_of_cycles, "n_r", cycles, turns)
 
     def unevenness(self, omega: Both) -> Mark | None:
         """Calculate δ of a steady cycle."""

@@ -298,15 +298,21 @@ def unevenness(of: Number, end: Number, *, row: int) -> Number:
 )
 def turns_to_run_up(
     motor: Curve, start: Number, work: Length, end: Length, inertia: Length, base: Length,
-    mu_M: Number, mu_omega: Number, mu_A: Number, mu_J: Number, mu_phi: Number, *, row: int, stride: int,
+    mu_M: Number, mu_omega: Number, mu_A: Number, mu_J: Number, mu_phi: Number,
+    *, row: int, stride: int, cycles: int,
 ) -> Number:  # fmt: skip
-    """From {start} on by {motor} count the rows {it} until one changes the speed by less than 0.1 %."""
+    """From {start} on by {motor} count the cycles {it} until one changes the speed by less than 0.1 %."""
     values = (work * mu_A, end * mu_A, inertia * mu_J, base * mu_phi)
     own = turns_of(values, motor_of(motor, mu_M, mu_omega), row).thinned(stride)
     omega = np.broadcast_to(start[:, :1], (own.gains.shape[0], 1))
     found = np.full(omega.shape, np.nan)
+    long = own.gains.shape[1] // cycles
+    each = [
+        own._replace(gains=own.gains[:, k : k + long], inertia=own.inertia[:, k : k + long + 1])
+        for k in range(0, long * cycles, long)
+    ]
     for k in range(MOST):
-        after = own.turn(omega)
+        after = each[k % cycles].turn(omega)
         found = np.where(
             np.isnan(found) & (np.abs(after - omega) < CLOSED * after), float(k), found
         )
@@ -316,6 +322,6 @@ def turns_to_run_up(
     return Number(found)
 
 
-@formula(why=said("What is drawn takes so many turns at a time."))
-def turns_of_rows(rows: Number, turns: Number) -> Number:
-    """{rows}·{turns}"""
+@formula(why=said("A cycle takes so many turns."))
+def turns_of_cycles(cycles: Number, turns: Number) -> Number:
+    """{cycles}·{turns}"""

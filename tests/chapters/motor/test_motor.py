@@ -130,6 +130,16 @@ def test_the_turns_of_a_run_up_are_counted(tmp_path: Path) -> None:
         assert turns == np.argmax(change < 1e-3), change
 
 
+def test_the_turns_of_a_run_up_do_not_hang_on_those_drawn(tmp_path: Path) -> None:
+    of, _ = driven(5)
+    told = []
+    for turns in (1, 3):
+        made = drawn(tmp_path, of, 24, turns)
+        told.append(value(made, LAW_PLAN.on(made).run_up))
+    assert told[0] == told[1]
+    assert told[0] % 3
+
+
 def test_the_crossing_that_is_drawn_is_that_of_the_run(tmp_path: Path) -> None:
     for seed, step in ((1, 0), (1, 5), (2, 11), (0, 3)):
         made = drawn(tmp_path, driven(seed)[0], 12, step=step)
