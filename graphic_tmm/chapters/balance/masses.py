@@ -289,8 +289,15 @@ def _sized(work: _Work, link: int, polygon: Polygon) -> tuple[Mark, Mark, float]
     draft, arm, missing = work.bench.draft, work.arms[link], polygon.size
     one = next((one for one in work.order.counterweights if one.link == link), None)
     if one is None:
-        points, letters = work.points(link), (arm.pin or next(iter(work.points(link))), arm.pivot)
-        one = Counterweight(link, None, abs(points[letters[0]] - points[letters[1]]))
+        if not arm.pin:
+            says = said(
+                "link {link} has no pin that the radius of its counterweight could be taken from: write "
+                '[[counterweight]] with link = {link} and radius = "100 mm"',
+                link=link,
+            )
+            raise StructureError(says, "counterweight", head=BALANCE)
+        points = work.points(link)
+        one = Counterweight(link, None, abs(points[arm.pin] - points[arm.pivot]))
     if one.mass is not None:
         mass = draft.take(Number, f"m_{{c{link}}}", one.mass, "kg")
         found = draft.draw(

@@ -147,6 +147,15 @@ def test_full_balance_of_a_slotted_rocker(tmp_path: Path) -> None:
     check_full(drawn(tmp_path, SHAPER + FULL + '[[counterweight]]\nlink = 3\nradius = "0.2 m"\n'))
 
 
+@pytest.mark.parametrize("letter", ["B", "D"])
+def test_a_slotted_rocker_has_no_pin_to_take_a_radius_from(letter: str, tmp_path: Path) -> None:
+    """Whether its letters come before or behind that of its pivot makes no difference."""
+    text = SHAPER.replace("CB", f"C{letter}").replace("B = [0.5, 0]", f"{letter} = [0.5, 0]")
+    with pytest.raises(StructureError, match=r'link = 3 and radius = "100 mm"') as error:
+        drawn(tmp_path, text + FULL)
+    assert error.value.keys == ("counterweight",)
+
+
 @pytest.mark.parametrize("share", [None, 0.0, 0.3, 1.0])
 def test_partial_balance_is_the_closed_form(share: float | None, tmp_path: Path) -> None:
     """In line, m_c·r_c = m_1·s_1 + (m_2A + k·(m_3 + m_2B))·r, opposite the pin."""
