@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import pairwise
 
 from graphic_tmm.board.bounds import POSITIVE, Bound
@@ -178,7 +179,7 @@ def _angles(value: object, names: Names) -> tuple[float, ...]:
     return tuple(quantities.parse(item, "angle") for item in value)
 
 
-def _speed(value: object, names: Names) -> float:
+def _speed(value: object, names: Names, *, turns: bool = False) -> float:
     number = quantities.parse(value, "angular speed")
     if number == 0:
         raise ValueError(
@@ -188,11 +189,13 @@ def _speed(value: object, names: Names) -> float:
                 text=_show(value),
             )
         )
+    if number < 0 and not turns:
+        raise ValueError(said("{text} is negative; write it positive", text=_show(value)))
     return not_negative(number, value)
 
 
 def not_negative(number: float, value: object) -> float:
-    """Return a speed; refuse one that is negative."""
+    """Return a speed; refuse one that is negative where a key ``turns`` stands beside it."""
     if number < 0:
         raise ValueError(
             said('{text} is negative; write it positive and turns = "clockwise"', text=_show(value))
@@ -357,6 +360,7 @@ LENGTH = Kind(lengths.evaluate, _LENGTH, unit="length")
 ANGLE = quantity("angle")
 ANGLES = Kind(_angles, ROW, unit="angle")
 SPEED = Kind(_speed, quantity_schema("angular speed"), unit="angular speed")
+SPEED_OF_CAM = replace(SPEED, read=partial(_speed, turns=True))
 ACCELERATION = quantity("acceleration", POSITIVE)
 MASS = quantity("mass", Bound(0))
 INERTIA = quantity("moment of inertia", Bound(0))

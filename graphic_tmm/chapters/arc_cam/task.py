@@ -176,7 +176,10 @@ class ArcTask:
         v.MU_L, 'm/mm of the contour, or "1:1"', "0.0005 m/mm", None, fixes="size"
     )
     speed: float | None = key(
-        v.SPEED, "how fast the cam turns, if the follower's speeds are wanted", "600 rpm", None
+        v.SPEED_OF_CAM,
+        "how fast the cam turns, if the follower's speeds are wanted",
+        "600 rpm",
+        None,
     )
     eccentric: bool = combined_key(_eccentric, False)
 

@@ -294,7 +294,10 @@ class CamTask:
         v.MU_L, 'm/mm of centre and profile, or "1:1"', "0.00056 m/mm", None, fixes="size"
     )
     speed: float | None = key(
-        v.SPEED, "how fast the cam turns, if the follower's speeds are wanted", "120 rpm", None
+        v.SPEED_OF_CAM,
+        "how fast the cam turns, if the follower's speeds are wanted",
+        "120 rpm",
+        None,
     )
     poles: tuple[float, float] = (30.0, 30.0)
 

@@ -229,6 +229,7 @@ def test_an_angle_is_judged_as_a_direction(due: float, tmp_path: Path) -> None:
         ("radius = 0.1\nspeed = 5\nbearings = [1, 1]", "rotor.bearings", "move one of them"),
         ("radius = 0.1\nspeed = 5\nbearings = 1", "rotor.bearings", "both bearings are wanted"),
         ("radius = -0.1", "rotor.radius", "one for each plane"),
+        ('radius = 0.1\nspeed = "-600 rpm"', "rotor.speed", "is negative; write it positive"),
         ("radius = 0.1\nplanes = [0, 1, 2]", "rotor.planes", "one plane or two"),
     ],
 )  # fmt: skip
@@ -239,6 +240,7 @@ def test_refusals_name_the_key_and_the_remedy(
         read(scene_of(tmp_path, KHURMI, rotor))
     assert key in str(refused.value)
     assert remedy in str(refused.value)
+    assert "turns" not in str(refused.value)  # no key of a rotor's
 
 
 @pytest.mark.parametrize(
