@@ -145,6 +145,27 @@ def off_axis(frame: Number, along: Number) -> Number:
     """√({frame}² − {along}²)"""
 
 
+_ABOUT = said(
+    "Where θ is half of ψ, the circle from which the chord is seen under θ is about C and goes through both "
+    "places of B: O stands on it as far from C as B does."
+)
+
+
+@formula(why=_ABOUT)
+def pivots_about(rocker: Number) -> Number:
+    """{rocker}"""
+
+
+@formula(why=_ABOUT)
+def along_by_angle(frame: Number, angle: Angle) -> Number:
+    """{frame}·cos({angle})"""
+
+
+@formula(why=_ABOUT)
+def off_by_angle(frame: Number, angle: Angle) -> Number:
+    """{frame}·sin({angle})"""
+
+
 @formula(why=said("O and the far end of the chord are corners of a right triangle."))
 def far_end(off: Number, half: Number, along: Number, height: Number) -> Number:
     """√(({off} + {half})² + ({along} − {height})²)"""

@@ -9,7 +9,7 @@ of one assembly.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import NamedTuple
@@ -34,6 +34,8 @@ SPREAD = TRIED // 20
 """A frame that is looked for by its transmission stands within so many of these places on both sides."""
 COARSE = 400
 """So many at each try for the greatest K_v."""
+ABOUT = 1e-6
+"""A locus is about C itself, as where θ = ψ/2, if its centre is nearer to C than this share of the rocker."""
 HALVINGS = 14
 """So often the angle θ is halved in which the limit of K_v is sought: to a hundredth of a degree."""
 
@@ -44,7 +46,8 @@ class FourBar(NamedTuple):
     ``pivot``: where O stands from C, the chord level above C; ``side``: of the chord on which the locus
     of O bulges, 1 away from C. ``least``: the least angle of transmission, degrees. ``centre``: of the
     locus, how far over C; ``sense``: 1 where B lies to the left of the way from O to C. ``between``: the
-    frames between which this one was looked for by its transmission.
+    frames between which this one was looked for by its transmission; with a locus ``about`` C itself, on which
+    all frames are alike, the angles of CO from the axis of the chord, degrees.
     """
 
     side: int
@@ -57,6 +60,12 @@ class FourBar(NamedTuple):
     centre: float
     sense: int
     between: tuple[float, float] | None = None
+    about: bool = False
+
+    @property
+    def angle(self) -> float:
+        """The angle of CO from the axis of the chord, degrees."""
+        return math.degrees(math.atan2(-self.pivot.real, self.pivot.imag))
 
 
 def four_bar_at(
@@ -67,12 +76,17 @@ def four_bar_at(
     ``half`` of the chord, its ``height`` over C (m), ``theta`` in degrees.
     """
     centre = height + side * half / math.tan(math.radians(theta))
-    if centre == 0.0:
+    if is_about(centre, half, height):
         return None
     along = (frame**2 + height**2 - half**2 + 2.0 * height * (centre - height)) / (2.0 * centre)
     if abs(along) >= frame:
         return None
     return _checked(side, complex(-math.sqrt(frame**2 - along**2), along), half, height)
+
+
+def is_about(centre: float, half: float, height: float) -> bool:
+    """Return whether a locus, its centre so far over C, is about C itself."""
+    return abs(centre) <= ABOUT * math.hypot(half, height)
 
 
 def _checked(side: int, at: complex, half: float, height: float) -> FourBar | None:
@@ -90,7 +104,8 @@ def _checked(side: int, at: complex, half: float, height: float) -> FourBar | No
         return None
     least = least_transmission(crank, coupler, rocker, frame)
     centre, sense = _centre(at, ends).imag, 1 if turns[0] > 0.0 else -1
-    return FourBar(side, frame, at, crank, coupler, rocker, least, centre, sense)
+    about = is_about(centre, half, height)
+    return FourBar(side, frame, at, crank, coupler, rocker, least, centre, sense, about=about)
 
 
 def least_transmission(crank: float, coupler: float, rocker: float, frame: float) -> float:
@@ -134,6 +149,13 @@ def choose_four_bar(given: Given) -> FourBar:
     """
     if "OC" in given:
         half, height, theta = sizes_of_chord(given)
+        back = height - half / math.tan(math.radians(theta))
+        if is_about(back, half, height) and is_about(given["OC"] - given["BC"], half, height):
+            says = said(
+                "where θ is half of ψ, O may stand anywhere on a circle about C, and OC = BC chooses no place "
+                'on it: give transmission = "20 deg" instead of OC'
+            )
+            raise StructureError(says, "task.OC", head="task")
         several = [four_bar_at(side, half, height, theta, given["OC"]) for side in SIDES]
         fit = [one for one in several if one is not None]
         if fit:
@@ -143,13 +165,21 @@ def choose_four_bar(given: Given) -> FourBar:
 
 
 def _no_frame(given: Given) -> StructureError:
-    rows = [[None if one is None else one.frame for one in row] for row in on_locus(given)]
+    places = list(on_locus(given))
+    about = any(one is not None and one.about for row in places for one in row)
+    rows = [[None if one is None or one.about else one.frame for one in row] for row in places]
     merged: list[tuple[float, float]] = []
     for low, high in sorted(run for row in rows for run in _runs(row)):
         if merged and low <= merged[-1][1] * (1.0 + 1.0 / TRIED):
             merged[-1] = merged[-1][0], max(high, merged[-1][1])
         else:
             merged.append((low, high))
+    if not merged and about:
+        says = said(
+            "where θ is half of ψ, a crank-rocker has OC = BC, which chooses no place of O on its circle: give "
+            'transmission = "20 deg" instead of OC'
+        )
+        return StructureError(says, "task.OC", head="task")
     if not merged:
         return _no_crank_rocker(given)
     says = said(
@@ -200,20 +230,46 @@ class TransmissionOf:
         square = frame**2 + self.height**2 - self.half**2
         along = (square + 2.0 * self.height * (centre - self.height)) / (2.0 * centre)
         off = np.sqrt(np.maximum(frame**2 - along**2, 0.0))
-        far, near = (np.hypot(off + side * self.half, along - self.height) for side in (1, -1))
-        crank, coupler = (far - near) / 2.0, (far + near) / 2.0
-        rocker = math.hypot(self.half, self.height)
-        angles = []
-        for apart in (frame - crank, frame + crank):
-            cosine = (coupler**2 + rocker**2 - apart**2) / (2.0 * coupler * rocker)
-            angle = np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
-            angles += [angle, 180.0 - angle]
-        return np.asarray(np.min(angles, axis=0) - self.wanted)
+        return _least_of(frame, off, along, self.half, self.height) - self.wanted
+
+
+@dataclass(frozen=True)
+class TransmissionAbout:
+    """How far the least angle of transmission is above what is wanted, of angles of CO on a circle about C."""
+
+    half: float
+    height: float
+    wanted: float
+
+    def __call__(self, angle: Reals) -> Reals:
+        """Return that of each angle (degrees), degrees."""
+        frame, turn = math.hypot(self.half, self.height), np.radians(angle)
+        off, along = frame * np.sin(turn), frame * np.cos(turn)
+        return (
+            _least_of(np.full_like(turn, frame), off, along, self.half, self.height) - self.wanted
+        )
+
+
+def _least_of(frame: Reals, off: Reals, along: Reals, half: float, height: float) -> Reals:
+    """Return the least angles of transmission, degrees: O ``along`` the axis of the chord and ``off`` it."""
+    far, near = (np.hypot(off + side * half, along - height) for side in SIDES)
+    crank, coupler = (far - near) / 2.0, (far + near) / 2.0
+    rocker = math.hypot(half, height)
+    angles = []
+    for apart in (frame - crank, frame + crank):
+        cosine = (coupler**2 + rocker**2 - apart**2) / (2.0 * coupler * rocker)
+        angle = np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0)))
+        angles += [angle, 180.0 - angle]
+    return np.asarray(np.min(angles, axis=0))
 
 
 TRY_FRAMES = said(
     "Try distances of the pivots between {low} and {high}, each time narrowing to where the least angle of "
     "transmission is what is wanted; this is {it}."
+)
+TRY_PLACES = said(
+    "The circle on which O stands is about C. Try angles of CO from the axis of the chord between {low} and "
+    "{high}, each time narrowing to where the least angle of transmission is what is wanted; this is {it}."
 )
 
 
@@ -227,10 +283,13 @@ def _by_transmission(given: Given) -> FourBar:
             if one is None or other is None or (one.least < wanted) == (other.least < wanted):
                 continue
             ends = _farther(row, k, -1, wanted), _farther(row, k + 1, 1, wanted)
-            low, high = sorted(end.frame for end in ends)
-            tried = TransmissionOf(side, *chord, wanted)
-            frame = float(narrow(tried, np.array([[low]]), np.array([[high]]))[0, 0])
-            made = four_bar_at(side, *chord, frame)
+            if one.about:
+                low, high = sorted(end.angle for end in ends)
+                made = _at_angle(side, low, high, wanted, chord)
+            else:
+                low, high = sorted(end.frame for end in ends)
+                tried = TransmissionOf(side, *chord, wanted)
+                made = four_bar_at(side, *chord, _narrowed(tried, low, high))
             if made is not None:
                 fit.append(made._replace(between=(low, high)))
     if fit:
@@ -242,6 +301,19 @@ def _by_transmission(given: Given) -> FourBar:
         best=math.floor(100.0 * best) / 100.0,
     )
     raise StructureError(says, "task.transmission", head="task")
+
+
+def _narrowed(tried: Callable[[Reals], Reals], low: float, high: float) -> float:
+    return float(narrow(tried, np.array([[low]]), np.array([[high]]))[0, 0])
+
+
+def _at_angle(
+    side: int, low: float, high: float, wanted: float, chord: tuple[float, float, float]
+) -> FourBar | None:
+    half, height, _ = chord
+    turn = math.radians(_narrowed(TransmissionAbout(half, height, wanted), low, high))
+    at = math.hypot(half, height) * complex(-math.sin(turn), math.cos(turn))
+    return _checked(side, at, half, height)
 
 
 def _farther(row: Sequence[FourBar | None], k: int, way: int, wanted: float) -> FourBar:
@@ -265,6 +337,15 @@ def take_frame(draft: Draft, given: Given, chosen: FourBar) -> Mark:
     return draft.draw(refinement(tried, TRY_FRAMES, Number), "l_{OC}", *ends, unit="m", why=_WORST)
 
 
+def take_angle(draft: Draft, given: Given, chosen: FourBar) -> Mark:
+    """Look for the place of O on a circle about C by the least angle of transmission: the angle of CO."""
+    assert chosen.between is not None
+    half, height, _ = sizes_of_chord(given)
+    tried = TransmissionAbout(half, height, given["transmission"])
+    ends = [draft.take(Angle, "", one, "°") for one in chosen.between]
+    return draft.draw(refinement(tried, TRY_PLACES), "η", *ends, unit="°", why=_WORST)
+
+
 _WORST = said("The transmission is worst where crank and frame lie in one line.")
 
 
@@ -281,14 +362,22 @@ def crank_rocker(draft: Draft, given: Given) -> Lengths:
     swing = draft.take(Angle, "ψ", given["psi"], "°")
     ratio = draft.take(Number, "K_v", given["K_v"])
     rocker_ = draft.take(Number, "l_{BC}", given["BC"], "m")
-    frame = take_frame(draft, given, chosen)
+    if chosen.about:
+        frame = draft.draw(f.pivots_about, "l_{OC}", rocker_, unit="m")
+        angle = take_angle(draft, given, chosen)
+    else:
+        frame = take_frame(draft, given, chosen)
     theta = draft.draw(swing_angle, "θ", ratio)
     half = draft.draw(f.half_of_chord, "g", rocker_, swing, unit="m")
     height = draft.draw(f.height_of_chord, "h", rocker_, swing, unit="m")
-    centre_of = f.centre_beyond if chosen.side > 0 else f.centre_before
-    centre = draft.draw(centre_of, "m", height, half, theta, unit="m")
-    along = draft.draw(f.along_axis, "Y_{O}", frame, height, half, centre, unit="m")
-    off = draft.draw(f.off_axis, "X_{O}", frame, along, unit="m")
+    if chosen.about:
+        along = draft.draw(f.along_by_angle, "Y_{O}", frame, angle, unit="m")
+        off = draft.draw(f.off_by_angle, "X_{O}", frame, angle, unit="m")
+    else:
+        centre_of = f.centre_beyond if chosen.side > 0 else f.centre_before
+        centre = draft.draw(centre_of, "m", height, half, theta, unit="m")
+        along = draft.draw(f.along_axis, "Y_{O}", frame, height, half, centre, unit="m")
+        off = draft.draw(f.off_axis, "X_{O}", frame, along, unit="m")
     far = draft.draw(f.far_end, "l_{1}", off, half, along, height, unit="m")
     near = draft.draw(f.near_end, "l_{2}", off, half, along, height, unit="m")
     crank = draft.draw(f.half_difference, "l_{OA}", far, near, unit="m")

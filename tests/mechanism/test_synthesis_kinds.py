@@ -240,6 +240,26 @@ def test_a_crank_rocker_by_its_transmission() -> None:
         assert four_bar(*four(lengths)) == pytest.approx((psi, K_v, wanted), rel=EXACT)
 
 
+def test_a_crank_rocker_whose_locus_is_about_its_pivot() -> None:
+    """With θ = ψ/2 all places of O are as far from C as B: the transmission chooses one, OC cannot."""
+    rng = np.random.default_rng(15)
+    for _ in range(max(2, CASES // 8)):
+        psi, wanted = float(rng.uniform(20, 70)), float(rng.uniform(5, 25))
+        task = {"psi": psi, "K_v": (360 + psi) / (360 - psi), "BC": 0.1}
+        lengths = lengths_found("crank-rocker", {**task, "transmission": wanted})
+        assert four_bar(*four(lengths)) == pytest.approx((psi, task["K_v"], wanted), rel=EXACT)
+        assert lengths["OC"] == pytest.approx(0.1, rel=1e-12)
+        for frame in (0.1, 0.1 * (1 + 1e-12)):
+            with pytest.raises(StructureError, match="anywhere on a circle about C") as error:
+                lengths_found("crank-rocker", {**task, "OC": frame})
+            assert error.value.keys == ("task.OC",)
+    # near it, each frame is of one place again
+    given = {"psi": 60.0, "K_v": 1.4001, "BC": 0.1, "transmission": 30.0}
+    assert four_bar(*four(lengths_found("crank-rocker", given))) == pytest.approx(
+        (60.0, 1.4001, 30.0), rel=EXACT
+    )
+
+
 def crank_rockers(psi: float, K_v: float, d: float) -> Iterator[tuple[float, float]]:
     """Yield crank and K_v by a grid: rocker 1, swing ψ; dead centres by the cosine rule."""
 

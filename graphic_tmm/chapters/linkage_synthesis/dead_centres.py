@@ -28,7 +28,7 @@ from graphic_tmm.chapters.linkage_synthesis.figure import (
     SynthesisBoard,
     SynthesisFigure,
 )
-from graphic_tmm.mechanism.synthesis_four_bar import choose_four_bar, take_frame
+from graphic_tmm.mechanism.synthesis_four_bar import choose_four_bar, take_angle, take_frame
 from graphic_tmm.mechanism.synthesis_kinds import crank_by_pressure, slider_crank, take_stroke
 from graphic_tmm.scene.length_task import Task
 
@@ -134,7 +134,10 @@ def draw_crank_rocker(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     theta = _theta(board, task)
     swing = draft.take(Angle, "ψ", task.psi, "°")
     rocker = board.length("BC", draft.take(Number, "l_{BC}", task.BC, "m"))
-    frame = board.length("OC", take_frame(draft, task.given, chosen))
+    if chosen.about:
+        frame, angle = rocker, take_angle(draft, task.given, chosen)
+    else:
+        frame = board.length("OC", take_frame(draft, task.given, chosen))
     pivot = board.origin("C")
     axis = board.axis(pivot, "(y)", 90.0)
     ends = []
@@ -149,20 +152,25 @@ def draw_crank_rocker(board: SynthesisBoard, task: Task) -> SynthesisFigure:
     middle = board.circle_of_angle(near, far, chord, angles)
     radius = draft.draw(measure, "MB_1", middle, near)
     locus = draft.draw(strike, "(η)", middle, radius)
-    about = draft.draw(strike, "(OC)", pivot, frame)
-    side = -1 if chosen.centre > 0.0 else 1
-    origin = draft.draw(cross, "O", locus, about, board.side(side), why=why.PIVOT_ON_LOCUS)
+    if chosen.about:
+        line = draft.draw(incline, "(CO)", pivot, axis, angle, why=why.ABOUT)
+        origin = board.off("O", line, radius, why.PIVOT_ON_LOCUS)
+    else:
+        about = draft.draw(strike, "(OC)", pivot, frame)
+        side = board.side(-1 if chosen.centre > 0.0 else 1)
+        origin = draft.draw(cross, "O", locus, about, side, why=why.PIVOT_ON_LOCUS)
     crank, rod, line = board.crank_and_rod(origin, near, far)
     pins = [board.dead_centre("A_1", near, origin, rod), board.off("A_2", line, rod, why.IN_LINE)]
-    worst, angle = _transmission(board, origin, pivot, crank, rod, rocker, frame, chosen.sense)
+    seen = () if chosen.about else (middle,)  # the letter of C stands there
+    worst, least = _transmission(board, origin, pivot, crank, rod, rocker, frame, chosen.sense)
     return SynthesisFigure(
         task, board.mu,
         {"OA": board.real("OA", crank), "AB": board.real("AB", rod)},
         (Position((origin, pins[1], far, pivot)), Position((origin, pins[0], near, pivot))),
-        (origin, pivot), (near, far, middle, *pins, *(one for at in worst for one in at.joints[1:3])),
+        (origin, pivot), (near, far, *seen, *pins, *(one for at in worst for one in at.joints[1:3])),
         worst=worst,
         circles=(Circle("thin", middle, (far, origin, near), FREE), Circle("centre", origin, tuple(pins))),
-        transmission=angle,
+        transmission=least,
         angles=(Between(origin, near, far, theta), Between(pivot, far, near, swing)),
     )  # fmt: skip
 

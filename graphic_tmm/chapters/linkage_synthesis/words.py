@@ -31,6 +31,9 @@ OFFSET = said("The crank's pivot stands at the distance e from the guide.")
 PIVOT_ON_LOCUS = said(
     "The crank's pivot stands on the circle from which the chord is seen under θ."
 )
+ABOUT = said(
+    "Where θ is half of ψ, the circle is about C: the angle of transmission alone chooses a place on it."
+)
 TWICE_CRANK = said(
     "In the dead centres B is l + r and l − r from O: the difference of both distances is twice the crank."
 )

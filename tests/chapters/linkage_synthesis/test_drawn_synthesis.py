@@ -95,6 +95,14 @@ def test_the_exact_hand_reads_what_is_calculated(kind: str) -> None:
         assert all(board.value(calculated[k]) == v for k, v in found.items() if k in calculated)
 
 
+def test_a_locus_about_the_rockers_pivot_is_drawn() -> None:
+    board = drawn(Task("crank-rocker", psi=60.0, K_v=1.4, BC=0.075, transmission=30.0))
+    made, calculated = SYNTHESIS_PLAN.on(board), CALCULATED.on(board)
+    for name, mark in made.measured.items():
+        assert board.value(mark) == pytest.approx(board.value(calculated[name]), rel=EXACT)
+    assert min(map(board.value, made.transmission)) == pytest.approx(30.0, rel=EXACT)
+
+
 def test_every_kind_is_drawn() -> None:
     assert DRAWN.keys() == KINDS.keys()
 
