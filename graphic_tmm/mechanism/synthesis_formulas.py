@@ -341,6 +341,11 @@ def power_function(x: Number, exponent: Number) -> Number:
     """{x}^{exponent}"""
 
 
+@formula(why=said("The function is given."))
+def power_of_any(x: Number, exponent: Number) -> Number:
+    """{x}^{exponent}"""
+
+
 @formula(holds="{x} > 0", fails="the argument is not positive", why=said("The function is given."))
 def logarithm(x: Number) -> Number:
     """ln({x})"""

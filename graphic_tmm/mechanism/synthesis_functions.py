@@ -117,7 +117,8 @@ def _by_spacing(draft: Draft, given: Given) -> tuple[list[list[Mark]], list[list
         draft.take(Number, f"x_{name}", x) for name, x in zip("0n", given["x"], strict=True)
     )
     more = [draft.take(Number, "p", given["power"])] if "power" in given else []
-    step = f.power_function if more else KNOWN[given["y"]].step
+    power = f.power_function if min(given["x"]) > 0.0 else f.power_of_any
+    step = power if more else KNOWN[given["y"]].step
     ends = [draft.draw(step, f"y_{n}", x, *more) for n, x in zip("0n", (low, high), strict=True)]
     x = [
         draft.draw(f.chebyshev, f"x_{k}", low, high, draft.take(Number, "", share))
@@ -141,10 +142,11 @@ def _refuse_function(given: Given) -> None:
         if key in given:
             refuse_count(given, key, len(PLACES) if "values" in given else 2)
     x = given["x"]
-    positive = "power" in given or ("y" in given and KNOWN[given["y"]].positive)
-    if positive and min(x) <= 0.0:
+    if "y" in given and KNOWN[given["y"]].positive and min(x) <= 0.0:
         says = said("the range of x has to lie above 0, such as [1, 2]")
         raise StructureError(says, "task.x", head="task")
+    if "power" in given:
+        _refuse_power(x, given["power"])
     if given.get("power") == 0.0:
         says = said("x to the power 0 does not change: take another power")
         raise StructureError(says, "task.power", head="task")
@@ -157,3 +159,15 @@ def _refuse_function(given: Given) -> None:
             "the function has the same value at both ends, so no angle stands for it: take other ends"
         )
         raise StructureError(says, "task.values" if "values" in given else "task.x", head="task")
+
+
+def _refuse_power(x: Sequence[float], power: float) -> None:
+    """Refuse arguments that have no such power: 0 below 0, what is negative to one that is not whole."""
+    if not float(power).is_integer() and min(x) < 0.0:
+        says = said(
+            "what is below 0 has no such power: begin the range of x at 0, or take a whole power"
+        )
+        raise StructureError(says, "task.x", head="task")
+    if power < 0.0 and min(x) <= 0.0 <= max(x):
+        says = said("0 has no power below 0: take a range of x without it, such as [1, 2]")
+        raise StructureError(says, "task.x", head="task")

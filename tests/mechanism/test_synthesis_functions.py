@@ -48,6 +48,22 @@ def test_other_functions_are_met_at_the_places_of_chebyshev(
     )
 
 
+@pytest.mark.parametrize(
+    ("low", "high", "power"),
+    [(0.0, 1.0, 2.0), (-1.0, 2.0, 2.0), (-2.0, -1.0, -1.0), (0.0, 1.0, 0.5), (-1.0, 1.0, 3.0)],
+)
+def test_a_power_is_met_wherever_there_is_one(low: float, high: float, power: float) -> None:
+    task = {"x": [low, high], "power": power, "crank": [30.0, 120.0], "rocker": [60.0, 140.0]}
+    lengths = lengths_found("function", {**task, "OA": 0.04, "OC": 0.1})
+    x = [
+        (low + high) / 2 - (high - low) / 2 * math.cos(math.pi * (2 * k + 1) / 6) for k in range(3)
+    ]
+    crank = [30.0 + 90.0 * (one - low) / (high - low) for one in x]
+    rocker = [60.0 + 80.0 * (one**power - low**power) / (high**power - low**power) for one in x]
+    due = lengths_found("angles", {"crank": crank, "rocker": rocker, "OA": 0.04, "OC": 0.1})
+    assert lengths == pytest.approx(due)
+
+
 def test_a_table_of_three_points_is_met() -> None:
     given = {"x": [1.0, 2.0, 4.0], "values": [3.0, 1.0, 0.5], "crank": [30.0, 120.0]}
     given |= {"rocker": [60.0, 110.0], "OA": 0.05, "OC": 0.1}
@@ -65,6 +81,9 @@ def test_a_table_of_three_points_is_met() -> None:
         ({"x": [1.0, 2.0], "values": [1.0, 2.0, 3.0]}, "x", "3 values are wanted here, not 2"),
         ({"x": [1.0, 2.0, 3.0], "values": [1.0, 2.0, 1.0]}, "values", "same value at both ends"),
         ({"x": [1.0, 2.0, 1.0], "values": [1.0, 2.0, 3.0]}, "x", "have to differ"),
+        ({"x": [0.0, 1.0], "power": -1.0}, "x", "0 has no power below 0"),
+        ({"x": [-1.0, 1.0], "power": -2.0}, "x", "0 has no power below 0"),
+        ({"x": [-1.0, 1.0], "power": 0.5}, "x", "below 0 has no such power"),
         ({"x": [1.0, 2.0, 3.0], "power": 2.0}, "x", "2 values are wanted here, not 3"),
     ],
 )
