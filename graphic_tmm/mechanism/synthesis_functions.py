@@ -138,6 +138,11 @@ def function(draft: Draft, given: Given) -> Lengths:
 def _refuse_function(given: Given) -> None:
     for key in ("crank", "rocker"):
         refuse_count(given, key, 2)
+        if given[key][0] == given[key][1]:
+            says = said(
+                'both ends are one angle, so nothing stands for the function: write two, ["30 deg", "120 deg"]'
+            )
+            raise StructureError(says, f"task.{key}", head=f"task.{key}")
     for key in ("x", "values"):
         if key in given:
             refuse_count(given, key, len(PLACES) if "values" in given else 2)

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -170,10 +171,20 @@ def refuse_count(given: Given, key: str, count: int) -> None:
 
 
 def refuse_line(places: Sequence[complex], letter: str, key: str) -> None:
-    """Refuse three places in one line: the circle through them has no centre."""
+    """Refuse three places in one line, or two that are one: the circle through them has no one centre."""
     one, other, third = places
     sides = (other - one, third - one, third - other)
     longest = max(map(abs, sides))
+    for side, pair in zip(sides, combinations(PLACES, 2), strict=True):
+        if abs(side) <= STRAIGHT * longest:
+            says = said(
+                "places {first} and {second} of {letter} are one, and any circle through it and the third one "
+                "does: give three that differ",
+                first=pair[0],
+                second=pair[1],
+                letter=letter,
+            )
+            raise StructureError(says, key, head="task")
     if abs((np.conj(sides[0]) * sides[1]).imag) > STRAIGHT * longest**2:
         return
     says = said(
@@ -213,6 +224,7 @@ def coupler(draft: Draft, given: Given) -> Lengths:
     A, B = coupler_places(given)
     refuse_line(A, "A", "task.A")
     refuse_line(B, "B", "task.angles")
+    _refuse_rotation(A, B)
     length = draft.take(Number, "l_{AB}", given["AB"], "m")
     first, second = [], []
     for k, a, angle in zip(PLACES, A, given["angles"], strict=True):
@@ -239,6 +251,29 @@ def coupler(draft: Draft, given: Given) -> Lengths:
         "AB": length,
         "BC": draft.draw(f.link_length, "l_{BC}", xC, yC, *second[0], unit="m"),
     }
+
+
+def _refuse_rotation(A: Sequence[complex], B: Sequence[complex]) -> None:
+    """Refuse a coupler that turns about one point alone: both pivots of its mechanism would stand there."""
+    size = max(abs(one - A[0]) for one in (*A, *B))
+    about = _middle_of(A)
+    if abs(_middle_of(B) - about) > STRAIGHT * max(size, abs(about - A[0])):
+        return
+    says = said(
+        "the coupler turns about one point, X = {x:.4g} mm, Y = {y:.4g} mm, through all three places: one link "
+        "on a pivot there does that; for a four-bar give other places or angles",
+        x=1000.0 * about.real,
+        y=1000.0 * about.imag,
+    )
+    raise StructureError(says, "task.angles", head="task")
+
+
+def _middle_of(places: Sequence[complex]) -> complex:
+    """Return the centre of the circle through three places."""
+    start, *others = places
+    one, other = (place - start for place in others)
+    twice = 2j * (one.conjugate() * other).imag
+    return start + (abs(other) ** 2 * one - abs(one) ** 2 * other) / -twice
 
 
 def inverted(given: Given, crank: Sequence[float], rocker: Sequence[float]) -> list[complex]:

@@ -372,6 +372,30 @@ def test_three_places_in_a_line_are_refused() -> None:
     )
 
 
+def test_equal_places_and_a_turn_about_one_point_are_named() -> None:
+    row = {"A": [0j, 0.03 + 0.02j, 0j], "angles": [60.0, 20.0, -30.0], "AB": 0.08}
+    with pytest.raises(StructureError, match="places 1 and 3 of A are one") as error:
+        lengths_found("coupler", row)
+    assert error.value.keys == ("task.A",)
+    pairs = {"crank": [40.0, 40.0, 90.0], "rocker": [70.0, 70.0, 90.0], "OA": 0.04, "OC": 0.1}
+    with pytest.raises(StructureError, match="places 1 and 2 of A are one"):
+        lengths_found("angles", pairs)
+    rng = np.random.default_rng(16)
+    for _ in range(CASES):
+        about, arm = complex(*rng.uniform(-0.1, 0.1, 2)), complex(*rng.uniform(0.02, 0.1, 2))
+        turns = rng.uniform(-170, 170, 3)
+        A = [about + arm * cmath.rect(1.0, math.radians(turn)) for turn in turns]
+        row = {"A": A, "angles": (turns + 25.0).tolist(), "AB": 0.08}
+        with pytest.raises(StructureError, match="turns about one point") as error:
+            lengths_found("coupler", row)
+        assert error.value.keys == ("task.angles",)
+        said = str(error.value).replace(" mm", "").split("= ")
+        x, y = (float(part.split(",")[0]) / 1000.0 for part in said[1:])
+        assert complex(x, y) == pytest.approx(about, abs=1e-4)
+        row["angles"] = np.add(turns, (25.0, 25.1, 25.0)).tolist()
+        assert lengths_found("coupler", row)["OA"] == pytest.approx(abs(arm), rel=1e-6)
+
+
 EMPTY = {"crank": [0.0, 9.0], "rocker": [0.0, 9.0], "OA": 1.0, "OC": 2.0}
 
 
@@ -382,6 +406,8 @@ EMPTY = {"crank": [0.0, 9.0], "rocker": [0.0, 9.0], "OA": 1.0, "OC": 2.0}
         ("angles", {"crank": [0.0], "rocker": [0.0, 1.0, 2.0], "OA": 1.0, "OC": 1.0}, "task.crank"),
         ("function", {**EMPTY, "x": [2.0, 2.0], "power": 1.0}, "task.x"),
         ("function", {**EMPTY, "x": [1.0, 2.0], "power": 0.0}, "task.power"),
+        ("function", {**EMPTY, "crank": [5.0, 5.0], "x": [1.0, 2.0], "power": 1.0}, "task.crank"),
+        ("function", {**EMPTY, "rocker": [5.0, 5.0], "x": [1.0, 2.0], "power": 1.0}, "task.rocker"),
     ],
 )  # fmt: skip
 def test_what_is_no_task_is_refused(kind: str, given: dict[str, Any], key: str) -> None:
