@@ -24,7 +24,7 @@ GRAPHS = graph_size(BALANCE)
 POLAR = 150.0
 """The most that a polar diagram takes on an A1, mm: as much as a polygon of forces."""
 _POLAR = said(
-    "A polar diagram takes {room}: the shaking force is measured from its pole.",
+    "A polar diagram takes {room}; B_Φ is the greater of its width and height, not its largest force.",
     room=usual_room(POLAR),
 )
 
@@ -69,7 +69,7 @@ def reach(project: Project, doubts: Doubts) -> dict[Mark, float]:
 def _factors(sized: Sized) -> Iterator[ScaleFactor]:
     made, far = BALANCE_PLAN.on(sized), sized.reach[BALANCE]
     room = sized.sizes[BALANCE]
-    yield ScaleFactor(made.mu, "Φ_{max}", far[made.mu], room, made.order.mu, why=_POLAR)
+    yield ScaleFactor(made.mu, "B_{Φ}", far[made.mu], room, made.order.mu, why=_POLAR)
     for one in made.unbalances:
         most = room * STATIC / POLAR
         yield ScaleFactor(one.polygon.mu, "D_{max}", one.polygon.reach, most, why=_STATIC)

@@ -30,6 +30,7 @@ from graphic_tmm.chapters.balance.table import balance_results
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import single
 from graphic_tmm.errors import StructureError
+from graphic_tmm.fitting.choice import choices
 
 EXACT = 1e-9
 TEXTS = (four_bar_text, slider_crank_text)
@@ -135,3 +136,12 @@ def test_positions_that_cannot_be_drawn_leave_no_largest(tmp_path: Path) -> None
     far = made.construction.step(bare.top)
     assert far is not None
     assert far.uses[1] in {one.step.it for one in made.findings()}
+
+
+def test_the_scale_of_the_diagram_is_by_its_width_not_by_its_largest_force(tmp_path: Path) -> None:
+    made = drawn(tmp_path, four_bar_text(random.Random(1)) + "[balance]\n")
+    found = {mark.letter: value for mark, value in choices(made).given.items()}
+    ends = [0j, *vectors(made, BALANCE_PLAN.on(made).wholes[0])[0]]
+    assert found["B_{Φ}"] == pytest.approx(max(np.ptp(np.real(ends)), np.ptp(np.imag(ends))))
+    assert "Φ_{max}" not in found
+    assert found["B_{Φ}"] > 1.05 * max(map(abs, ends))
