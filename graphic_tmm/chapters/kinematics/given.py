@@ -28,7 +28,7 @@ def given(scene: Scene) -> Iterator[Given]:
     if mechanism is None:
         return
     yield from given_by_task(scene)
-    rows = [*_lengths(mechanism), *frame_sizes(mechanism)]
+    rows = [*_lengths(mechanism), *_fixed(scene, mechanism)]
     yield from dict.fromkeys(Given(name, size, SIZE) for name, size in rows)
     yield from _directions(mechanism)
     yield from _wheels(mechanism)
@@ -110,6 +110,16 @@ def _guides(link: Link, origin: complex) -> Iterator[tuple[str, float]]:
         off = ((origin - guide.through) * turn(-guide.angle)).imag
         if abs(off) > ROUNDING:
             yield f"e_{{{guide.name}}}", abs(off)
+
+
+def _fixed(scene: Scene, mechanism: Mechanism) -> Iterator[tuple[str, float]]:
+    """Where fixed pivots and guides stand; named as from the crank's where a task puts that not at its 0."""
+    pivot = dissect(mechanism).origin
+    elsewhere = scene.task is not None and abs(mechanism.frame.points[pivot]) > ROUNDING
+    for name, size in frame_sizes(mechanism):
+        if elsewhere and name[:3] in ("x_{", "y_{"):
+            name = f"{name[:3]}{pivot}{name[3:]}"
+        yield name, size
 
 
 def frame_sizes(mechanism: Mechanism) -> Iterator[tuple[str, float]]:

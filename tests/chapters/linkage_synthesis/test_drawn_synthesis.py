@@ -16,6 +16,7 @@ from support.examples import most
 from support.gallery import scene
 
 from graphic_tmm.board.execute import execute
+from graphic_tmm.chapters.kinematics.given import given
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.linkage_synthesis.findings import WARNINGS, defects
 from graphic_tmm.chapters.linkage_synthesis.plan import DRAWN, SYNTHESIS_PLAN
@@ -338,3 +339,13 @@ def test_the_scene_has_the_published_lengths_on_both_ways() -> None:
         assert 1000.0 * board.value(calculated[name]) == pytest.approx(due, abs=5e-4)
         # read with a ruler of 0.1 mm at 1:1, the crank as half a difference
         assert 1000.0 * board.value(made.measured[name]) == pytest.approx(due, abs=0.11)
+
+
+def test_found_places_and_those_counted_from_the_crank_have_letters_of_their_own() -> None:
+    """The task counts from its own zero, what is given of the mechanism from O: xC is not x_OC."""
+    told = scene("three-positions")
+    found = lengths_found("coupler", told.task.given) if told.task is not None else {}
+    rows = {one.symbol: one.value for one in given(told)}
+    assert rows["x_{OC}"] == pytest.approx(found["xC"] - found["xO"])
+    assert rows["y_{OC}"] == pytest.approx(found["yC"] - found["yO"])
+    assert not {"x_{C}", "y_{C}"} & set(rows)
