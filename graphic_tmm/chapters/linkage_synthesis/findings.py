@@ -29,8 +29,7 @@ PAST = said(
     "rocker lie in line: drive the other link",
 )
 OPEN = said(
-    "synthesis: in position {listed} the links MD and DE do not reach each other: move E",
-    "synthesis: in positions {listed} the links MD and DE do not reach each other: move E",
+    "synthesis: with the crank at {listed}° the links MD and DE do not reach each other: move E"
 )
 ORDER = said(
     "synthesis: the crank does not turn all round and goes through the positions in the order {listed}"
@@ -97,14 +96,14 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
 
 
 def _open(drawn: Drawn, dyad: Dyad, pivot: Mark, language: str) -> Iterator[str]:
-    """Yield in which positions of the turn a second dyad does not close."""
+    """Yield at which angles of the crank, of those that were drawn, a second dyad does not close."""
     reading = drawn.reading
     arm, lever = (float(reading[mark][0, 0]) for mark in dyad.links)
     away = np.abs(reading[dyad.course][0] - reading[pivot][0, 0])
     beyond = np.flatnonzero((away > arm + lever) | (away < abs(arm - lever)))
     if beyond.size:
-        listed = ", ".join(drawn.names[k] for k in beyond)
-        yield speaking(language)(OPEN, n=int(beyond.size), listed=listed)
+        listed = ", ".join(f"{360.0 / away.size * k:g}" for k in beyond)
+        yield speaking(language)(OPEN, listed=listed)
 
 
 WARNINGS = Warned(_warnings)

@@ -110,7 +110,9 @@ def test_a_dyad_that_does_not_close_is_told(tmp_path: Path) -> None:
     assert made.dyad is not None
     away = np.abs(board.reading[made.dyad.course][0] - board.reading[made.pivots[-1]][0, 0])
     arm, lever = (board.value(mark) for mark in made.dyad.links)
-    due = [str(k + 1) for k in range(24) if not abs(arm - lever) <= away[k] <= arm + lever]
+    due = [str(15 * k) for k in range(24) if not abs(arm - lever) <= away[k] <= arm + lever]
     assert due
     (line,) = WARNINGS.warnings(board, "en")
-    assert line.endswith(f"{', '.join(due)} the links MD and DE do not reach each other: move E")
+    assert line.endswith(
+        f"crank at {', '.join(due)}° the links MD and DE do not reach each other: move E"
+    )
