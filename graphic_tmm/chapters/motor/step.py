@@ -58,7 +58,8 @@ def draw_step(
         for name, (of, at) in zip(names, ends, strict=True)
     ]
     origins = (*(one.origin for one in (*run.axes, run.axes[2])), motor.axes.origin)
-    names = ("T_k", "ω_k", "A_k", "A_{k+1}", "J_{k+1}")
+    # A_k would be an area of the cover side
+    names = ("T_k", "ω_k", "A_{k}", "A_{k+1}", "J_{k+1}")
     uprights = (*(one.up for one in (*run.axes, run.axes[2])), motor.axes.along)
     energy, fast, before, after, inertia = (
         draft.draw(measure_along, name, origin, spot, line)
@@ -69,7 +70,7 @@ def draw_step(
     draft.open(MOTOR)
     foot = draft.draw(lay_off, "f", motor.axes.along, x)
     above = draft.draw(erect, "p", motor.curve, foot)
-    moment = draft.draw(measure_along, "M_k", foot, above, motor.axes.up)
+    moment = draft.draw(measure_along, "M_{mk}", foot, above, motor.axes.up)
     draft.open(RUN)
     share = draft.take(Number, "κ", op.FROM_REST if at_rest else op.HALF)
     intervals = draft.take(Number, "N", float(base.intervals))

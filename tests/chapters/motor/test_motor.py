@@ -15,9 +15,11 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.motion_law.plan import LAW_PLAN
 from graphic_tmm.chapters.motion_law.table import law_results
 from graphic_tmm.chapters.motion_law.views import law_views
+from graphic_tmm.chapters.motor.task import MOTOR, RUN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError
 from graphic_tmm.fitting.absent import without_absent
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.note.section_conclusions import conclusions
 from graphic_tmm.readers.findings import warnings
 from graphic_tmm.scene.read import read
@@ -146,6 +148,15 @@ def test_the_crossing_that_is_drawn_is_that_of_the_run(tmp_path: Path) -> None:
         law = LAW_PLAN.on(made)
         assert law.step is not None
         assert made.value(law.step.omega) == pytest.approx(speeds(made)[step + 1], rel=1e-7)
+
+
+def test_no_two_moments_of_a_motor_have_one_letter(tmp_path: Path) -> None:
+    """Kloss's greatest is M_k; works at both ends of an interval are called alike."""
+    made = drawn(tmp_path, driven(0)[0], 12)
+    steps = [one for one in made.construction.steps if one.it.view in (MOTOR, RUN)]
+    letters = [symbol(one.it.letter, "en") for one in steps if one.it.letter[0] in "AM"]
+    assert sum(one in ("M_k", "M_{k}") for one in letters) == 1
+    assert {"A_{k}", "A_{k+1}"} <= {*letters}
 
 
 def test_the_characteristic_goes_through_its_nominal_point(tmp_path: Path) -> None:
