@@ -17,6 +17,13 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
         return
     _, words = speaking(language), captions(language)
     rests = made.rests
+    if made.order.apart:
+        listed = ", ".join(f"{one}–{other} ({turn:.4g}°)" for one, other, turn in made.order.apart)
+        yield _(
+            "cylinders: in this order of firing cylinders that face each other have cranks apart, {listed}: no "
+            "pin bears both rods; where one is to, change firing, or angle",
+            listed=listed,
+        )
     if all(rest.size is None for rest in rests.values()):
         yield _("cylinders: forces and moments of both orders balance one another")
     for kind, rest in rests.items():

@@ -71,11 +71,13 @@ def cylinder_table(drawn: Drawn) -> Drawing:
         heads.append("ψ, °")
     names = list(made.rows[0].angles)
     heads += [f"α_{{{ROMAN[name[0]]}{SIGNS[name[1:]]}}}, °" for name in names]
-    heads += [f"z, {mm}", *(f"M_{{{n}}}, {moment}" for n in ROMAN.values())]
+    part = "/2" if made.order.banked else ""
+    heads += [f"z, {mm}", *(f"M_{{{n}}}{part}, {moment}" for n in ROMAN.values())]
     rows = []
     for row in made.rows:
-        told = [row.number, *(_angle(drawn, mark) for mark in (row.crank, row.axis) if mark)]
-        told += [_angle(drawn, mark) for mark in row.angles.values()]
+        told = [row.number, _direction(drawn, row.crank)]
+        told += [_angle(drawn, row.axis)] if row.axis else []
+        told += [_direction(drawn, mark) for mark in row.angles.values()]
         told.append(number(small(_value(drawn, row.place), language)[0], language))
         told += [number(_value(drawn, mark), language) for mark in row.moments.values()]
         rows.append(told)
@@ -131,6 +133,11 @@ def _value(drawn: Drawn, mark: Mark) -> float:
 
 def _angle(drawn: Drawn, mark: Mark) -> str:
     return fixed(_value(drawn, mark), DEGREES, drawn.scene.language)
+
+
+def _direction(drawn: Drawn, mark: Mark) -> str:
+    """Return the angle of a vector within one turn, as rounded."""
+    return fixed(round(_value(drawn, mark), DEGREES) % 360.0, DEGREES, drawn.scene.language)
 
 
 def _protocol(project: Project) -> dict[str, tuple[str, ...]]:

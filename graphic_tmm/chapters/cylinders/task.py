@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
@@ -19,6 +20,8 @@ if TYPE_CHECKING:
 CYLINDERS = "cylinders"
 IN_LINE, VEE, OPPOSED = "in line", "V", "opposed"
 MOST = 12
+ONE_PIN = 1e-6
+"""Cranks no farther apart, degrees, are one pin."""
 
 
 def _order(value: object, names: Names) -> tuple[int, ...]:
@@ -119,6 +122,16 @@ class CylindersTask:
             found.append(Cylinder(self._crank(k, axis, right=right), axis, along))
         return tuple(found)
 
+    @property
+    def apart(self) -> tuple[tuple[int, int, float], ...]:
+        """The pairs of a V, by number, whose cranks the firing keeps apart, each with its angle, degrees."""
+        if self.layout != VEE:
+            return ()
+        cranks = [one.crank for one in self.each]
+        pairs = ((k, k + self.pins) for k in range(self.pins))
+        turns = ((k, n, abs(math.remainder(cranks[n] - cranks[k], 360.0))) for k, n in pairs)
+        return tuple((k + 1, n + 1, turn) for k, n, turn in turns if turn > ONE_PIN)
+
     def _crank(self, k: int, axis: float, *, right: bool) -> float:
         if self.firing:
             turn = 180.0 * self.strokes / self.count * self.firing.index(k + 1)
@@ -155,6 +168,7 @@ def _check(asked: Said, parts: Parts) -> Iterator[Flaw]:
                 due=pins,
             )
             yield Flaw((CYLINDERS, "cranks"), says)
+    yield from _idle(asked, parts)
     if asked.strokes == 3:
         yield Flaw((CYLINDERS, "strokes"), said("a cycle has 4 strokes, or 2"))
     if not asked.rod > asked.crank:
@@ -163,6 +177,20 @@ def _check(asked: Said, parts: Parts) -> Iterator[Flaw]:
     if asked.count > (2 if banked else 1) and not asked.spacing > 0.0:
         says = said('the pins stand apart along the shaft; write spacing = "100 mm"')
         yield Flaw((CYLINDERS, "spacing"), says)
+
+
+def _idle(asked: Said, parts: Parts) -> Iterator[Flaw]:
+    """Refuse what says nothing of engines that stand so, or whose cranks are given."""
+    told = parts.doc[CYLINDERS]
+    if "angle" in told and asked.layout != VEE:
+        says = said('only a V has an angle between its banks; write layout = "V", or leave it out')
+        yield Flaw((CYLINDERS, "angle"), says)
+    if "offset" in told and asked.layout == IN_LINE:
+        says = said('only two banks are offset; write layout = "V" or "opposed", or leave it out')
+        yield Flaw((CYLINDERS, "offset"), says)
+    if "strokes" in told and asked.cranks:
+        says = said("cranks that are given do not ask for strokes; leave it out, or write firing")
+        yield Flaw((CYLINDERS, "strokes"), says)
 
 
 SECTIONS = (

@@ -41,7 +41,7 @@ def stated(scene: Scene, language: str) -> Iterator[str]:
     if order is None:
         return
     _ = speaking(language)
-    yield _(_STAND[order.layout], n=order.count)
+    yield _(_APART if order.apart else _STAND[order.layout], n=order.count)
     if order.firing:
         row = "–".join(map(str, order.firing))
         yield _("They fire evenly in the order {row}.", row=row)
@@ -73,6 +73,7 @@ _STAND = {
     VEE: said("Cylinders of the V engine, two rods on each pin, the left bank first: {n}."),
     OPPOSED: said("Opposed cylinders of the engine, the left bank first: {n}."),
 }
+_APART = said("Cylinders of the V engine, a crank for each, the left bank first: {n}.")
 _CRANKS = said("Angles of the cranks from the engine's axis")
 _POLYGONS = said("Draw the polygons of forces and moments of the first and the second order.")
 _BY_BANKS = said(

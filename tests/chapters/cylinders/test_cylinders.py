@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from support.boards import in_usual_size
 
 from graphic_tmm.chapters.cylinders.plan import CYLINDERS_PLAN
 from graphic_tmm.chapters.cylinders.table import cylinder_results, cylinder_table, rest_table
+from graphic_tmm.chapters.cylinders.task_sheet import TASK_SHEET
 from graphic_tmm.chapters.cylinders.views import cylinder_views
 from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.errors import SceneError
@@ -109,7 +111,9 @@ def test_any_engine_shakes_as_its_pistons_do(seed: int, tmp_path: Path) -> None:
     angle, offset = float(random.uniform(10, 180)), float(random.uniform(0, 0.05))
     more = f'layout = "{layout}"\ncranks = {cranks}\nspacing = {SPACING}\n'
     count = pins if layout == "in line" else 2 * pins
-    more += f"count = {count}\nangle = {angle}\noffset = {offset}\n"
+    more += f"count = {count}\n"
+    more += f"angle = {angle}\n" if layout == "V" else ""
+    more += f"offset = {offset}\n" if layout != "in line" else ""
     if layout == "in line":
         pistons = [Piston(c, 0.0, z) for c, z in zip(cranks, throws(pins), strict=True)]
     else:
@@ -196,13 +200,49 @@ def test_table_and_views(tmp_path: Path) -> None:
     more = f"count = 4\ncranks = [0, 180, 180, 0]\nspacing = {SPACING}"
     drawn = drawn_of(tmp_path, more)
     texts = [label.text for label in cylinder_table(drawn).labels]
-    for told in ("1", "4", "180.0", "270.0", "450.0", "−150", "150"):
+    for told in ("1", "4", "180.0", "270.0", "90.0", "−150", "150"):
         assert told in texts, told
     names = [view.name for view in cylinder_views(drawn, lettered=True)]
+    assert not {"450.0", "810.0"} & set(texts)  # a direction within one turn
     assert names == [
         "cylinders-shaft", "cylinders-star", "cylinders-F1", "cylinders-M1", "cylinders-F2",
         "cylinders-M2", "table-cylinders", "table-remains",
     ]  # fmt: skip
+
+
+def test_moments_of_a_bank_are_headed_as_the_halves_that_they_are(tmp_path: Path) -> None:
+    drawn = drawn_of(tmp_path, f'count = 4\nlayout = "V"\ncranks = [0, 180]\nspacing = {SPACING}')
+    texts = [label.text for label in cylinder_table(drawn).labels]
+    assert any("M_{II}/2" in text for text in texts), texts
+    half = FORCE / 2 * SPACING / 2
+    shown = [float(text.replace("−", "-")) for text in texts if re.fullmatch(r"−?[0-9.]+", text)]
+    assert any(abs(one) == pytest.approx(half, rel=1e-3) for one in shown)
+    alone = drawn_of(tmp_path, f"count = 4\ncranks = [0, 180, 180, 0]\nspacing = {SPACING}")
+    assert not any("/2" in label.text for label in cylinder_table(alone).labels)
+
+
+@pytest.mark.parametrize(
+    ("firing", "apart"),
+    [([1, 5, 4, 8, 6, 3, 7, 2], "1–5 (180°), 2–6 (180°)"), ([1, 8, 4, 3, 6, 5, 7, 2], "1–5 (")],
+)
+def test_an_order_that_no_pin_with_two_rods_gives_is_told(
+    firing: list[int], apart: str, tmp_path: Path
+) -> None:
+    more = f'count = 8\nlayout = "V"\nfiring = {firing}\nspacing = {SPACING}'
+    drawn = drawn_of(tmp_path, more)
+    (line,) = (one for one in warnings(drawn, "en") if "cranks apart" in one)
+    assert apart in line
+    (stands, _) = TASK_SHEET.stated(drawn.scene, "en")
+    assert "a crank for each" in stands
+
+
+def test_an_order_that_puts_two_rods_on_each_pin_is_not_warned_of(tmp_path: Path) -> None:
+    """The right bank is met 90° of the shaft before the left one."""
+    more = f'count = 8\nlayout = "V"\nfiring = [5, 1, 8, 4, 7, 3, 6, 2]\nspacing = {SPACING}'
+    drawn = drawn_of(tmp_path, more)
+    assert not any("cranks apart" in one for one in warnings(drawn, "en"))
+    (stands, _) = TASK_SHEET.stated(drawn.scene, "en")
+    assert "two rods on each pin" in stands
 
 
 @pytest.mark.parametrize(
@@ -216,6 +256,9 @@ def test_table_and_views(tmp_path: Path) -> None:
         ("count = 3\nspacing = 0.1\nfiring = [1, 2, 2]", "cylinders.firing", "[1, 3, 4, 2]"),
         ("count = 2\ncranks = [0, 180]", "cylinders.spacing", 'write spacing = "100 mm"'),
         ("count = 1\ncranks = [0]\nstrokes = 3", "cylinders.strokes", "4 strokes, or 2"),
+        ("count = 1\ncranks = [0]\nangle = 60", "cylinders.angle", 'write layout = "V"'),
+        ("count = 1\ncranks = [0]\noffset = 0.02", "cylinders.offset", "or leave it out"),
+        ("count = 1\ncranks = [0]\nstrokes = 2", "cylinders.strokes", "or write firing"),
         ("count = 13\ncranks = [0]\nspacing = 0.1", "cylinders.count", "12"),
     ],
 )  # fmt: skip
