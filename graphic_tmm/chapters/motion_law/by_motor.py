@@ -126,9 +126,9 @@ class ByMotor(OverAngle):
         )
         # a four-stroke cycle is no turn: its speed never comes back before
         long = 1 if self.order.indicator is None else self.machine.turns
-        among = self.machine.turns // long
+        each = self.machine.turns // long
         cycles = self.draft.draw(
-            op.turns_to_run_up, "n", *used, row=self.row, stride=stride, cycles=among
+            op.turns_to_run_up, "n", *used, row=self.row, stride=stride, cycles=each
         )
         turns = self.draft.take(Number, "n_t", float(long))
         return self.draft.draw(op.turns_of_cycles, "n_r", cycles, turns)
