@@ -134,10 +134,8 @@ def test_the_turns_of_a_run_up_are_counted(tmp_path: Path) -> None:
 
 def test_the_turns_of_a_run_up_do_not_hang_on_those_drawn(tmp_path: Path) -> None:
     of, _ = driven(5)
-    told = []
-    for turns in (1, 3):
-        made = drawn(tmp_path, of, 24, turns)
-        told.append(value(made, LAW_PLAN.on(made).run_up))
+    both = [drawn(tmp_path, of, 24, turns) for turns in (1, 3)]
+    told = [value(one, LAW_PLAN.on(one).run_up) for one in both]
     assert told[0] == told[1]
     assert told[0] % 3
 
@@ -368,15 +366,10 @@ def test_a_published_punch_press(
 
 def test_too_few_positions_for_a_stiff_motor_are_told(tmp_path: Path) -> None:
     of, motor = driven(1)
-    stiff = replace_motor(of, motor, 0.02)
+    stiff = of._replace(inertia=0.02 * of.inertia, motor=motor)
     says = [one for one in warnings(drawn(tmp_path, stiff, 12), "en") if "positions a turn" in one]
     assert len(says) == 1
     assert not [one for one in warnings(drawn(tmp_path, of, 24), "en") if "positions a turn" in one]
-
-
-def replace_motor(of: Machine, motor: Catalogue, share: float) -> Machine:
-    """The same with so much of its inertia, and a motor as strong as before."""
-    return of._replace(inertia=share * of.inertia, motor=motor)
 
 
 @pytest.mark.parametrize(
