@@ -1,12 +1,15 @@
-"""Functions met by a four-bar: the pairs of angles by Chebyshev's cosines, what no angles stand for."""
+"""Functions met by a four-bar: the pairs of angles by Chebyshev's cosines, what no angles stand for; places on a line or in one."""
 
 from __future__ import annotations
 
+import cmath
 import math
 from collections.abc import Callable
 from typing import Any
 
+import numpy as np
 import pytest
+from support.examples import most
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.synthesis import lengths_found
@@ -94,3 +97,48 @@ def test_a_function_that_no_angles_stand_for_is_refused(
     with pytest.raises(StructureError, match=words) as error:
         lengths_found("function", {**task, **rest})
     assert error.value.keys == (f"task.{key}",)
+
+
+def test_equal_places_and_a_turn_about_one_point_are_named() -> None:
+    row = {"A": [0j, 0.03 + 0.02j, 0j], "angles": [60.0, 20.0, -30.0], "AB": 0.08}
+    with pytest.raises(StructureError, match="places 1 and 3 of A are one") as error:
+        lengths_found("coupler", row)
+    assert error.value.keys == ("task.A",)
+    pairs = {"crank": [40.0, 40.0, 90.0], "rocker": [70.0, 70.0, 90.0], "OA": 0.04, "OC": 0.1}
+    with pytest.raises(StructureError, match="places 1 and 2 of A are one"):
+        lengths_found("angles", pairs)
+    rng = np.random.default_rng(16)
+    for _ in range(most(40)):
+        about, arm = complex(*rng.uniform(-0.1, 0.1, 2)), complex(*rng.uniform(0.02, 0.1, 2))
+        turns = rng.uniform(-170, 170, 3)
+        A = [about + arm * cmath.rect(1.0, math.radians(turn)) for turn in turns]
+        row = {"A": A, "angles": (turns + 25.0).tolist(), "AB": 0.08}
+        with pytest.raises(StructureError, match="turns about one point") as error:
+            lengths_found("coupler", row)
+        assert error.value.keys == ("task.angles",)
+        said = str(error.value).replace(" mm", "").split("= ")
+        x, y = (float(part.split(",")[0]) / 1000.0 for part in said[1:])
+        assert complex(x, y) == pytest.approx(about, abs=1e-4)
+        row["angles"] = np.add(turns, (25.0, 25.1, 25.0)).tolist()
+        assert lengths_found("coupler", row)["OA"] == pytest.approx(abs(arm), rel=1e-6)
+
+
+def test_three_places_in_a_line_are_refused() -> None:
+    row = {"A": [0j, 0.03 + 0.02j, 0.06 + 0.04j], "angles": [10.0, 30.0, 70.0], "AB": 0.08}
+    with pytest.raises(StructureError, match="three places of A lie in one line") as error:
+        lengths_found("coupler", row)
+    assert error.value.keys == ("task.A",)
+    level = {**row, "A": [0j, 0.03 + 0j, 0.05 + 0.06j], "angles": [90.0, 90.0, 90.0]}
+    assert lengths_found("coupler", level)["BC"] == pytest.approx(
+        lengths_found("coupler", level)["OA"]
+    )
+
+
+def test_a_swinging_cylinder_has_its_swing_and_stroke() -> None:
+    lengths = lengths_found("cylinder", {"stroke": 0.1, "psi": 40.0})
+    row = [
+        lengths["OC"] - cmath.rect(lengths["OA"], phi)
+        for phi in np.linspace(0.0, math.tau, 100_001)
+    ]
+    assert max(map(abs, row)) - min(map(abs, row)) == pytest.approx(0.1, rel=1e-9)
+    assert 2.0 * math.degrees(max(map(cmath.phase, row))) == pytest.approx(40.0, rel=1e-7)
