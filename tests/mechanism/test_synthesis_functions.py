@@ -1,4 +1,4 @@
-"""Functions met by a four-bar: the pairs of angles by Chebyshev's cosines, what no angles stand for; places on a line or in one."""
+"""Functions met by a four-bar by Chebyshev's cosines, what no angles stand for; places in a line or in one."""
 
 from __future__ import annotations
 

@@ -254,10 +254,8 @@ def test_a_crank_rocker_whose_locus_is_about_its_pivot() -> None:
                 lengths_found("crank-rocker", {**task, "OC": frame})
             assert error.value.keys == ("task.OC",)
     # near it, each frame is of one place again
-    given = {"psi": 60.0, "K_v": 1.4001, "BC": 0.1, "transmission": 30.0}
-    assert four_bar(*four(lengths_found("crank-rocker", given))) == pytest.approx(
-        (60.0, 1.4001, 30.0), rel=EXACT
-    )
+    near = lengths_found("crank-rocker", {"psi": 60, "K_v": 1.4001, "BC": 0.1, "transmission": 30})
+    assert four_bar(*four(near)) == pytest.approx((60.0, 1.4001, 30.0), rel=EXACT)
 
 
 def crank_rockers(psi: float, K_v: float, d: float) -> Iterator[tuple[float, float]]:
