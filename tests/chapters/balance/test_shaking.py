@@ -31,6 +31,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import single
 from graphic_tmm.errors import StructureError
 from graphic_tmm.fitting.choice import choices
+from graphic_tmm.readers.findings import warnings
 
 EXACT = 1e-9
 TEXTS = (four_bar_text, slider_crank_text)
@@ -145,3 +146,15 @@ def test_the_scale_of_the_diagram_is_by_its_width_not_by_its_largest_force(tmp_p
     assert found["B_{Φ}"] == pytest.approx(max(np.ptp(np.real(ends)), np.ptp(np.imag(ends))))
     assert "Φ_{max}" not in found
     assert found["B_{Φ}"] > 1.05 * max(map(abs, ends))
+
+
+def test_links_that_have_half_of_what_shakes_are_told(tmp_path: Path) -> None:
+    text = four_bar_text(random.Random(1)) + "[balance]\n"
+    assert not any(
+        "no mass" in one or "no J" in one for one in warnings(drawn(tmp_path, text), "en")
+    )
+    for key, due in (("mass", "but no mass"), ("J", "but no J")):
+        head, link, rest = text.partition("number = 3\n")
+        bare = head + link + re.sub(rf"^{key} = .*\n", "", rest, count=1, flags=re.MULTILINE)
+        (line,) = (one for one in warnings(drawn(tmp_path, bare), "en") if due in one)
+        assert "link 3" in line
