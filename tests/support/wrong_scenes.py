@@ -107,7 +107,7 @@ UNITS = [
     ('"0.1 m"', '"0.1 m 2"', ["lengths.r"]),
     ('"2 kg"', '"2 kgs"', ["link 2, mass", 'did you mean "kg"']),
     ('"2 kg"', '"2 N*m"', ["link 2, mass", "is a moment; a mass is wanted"]),
-    ('"0.02 kg*m^2"', '"0.02 kg*m"', ["link 2, J", "units of a moment of inertia are"]),
+    ('"0.02 kg*m^2"', '"0.02 kg*m^3"', ["link 2, J", "units of a moment of inertia are"]),
     ('"0.02 kg*m^2"', '"0.02 kg"', ["link 2, J", "is a mass; a moment of inertia"]),
     ('"120 rpm"', '"120 m/s"', ["drive.speed", "the speed of what slides"]),
     ('"120 rpm"', '"120"', ["drive.speed", 'write "120 rpm"']),
