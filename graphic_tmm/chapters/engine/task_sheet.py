@@ -6,9 +6,8 @@ from collections.abc import Iterator
 
 from graphic_tmm.chapters.engine.formulas import KGF
 from graphic_tmm.chapters.engine.task import ASKED
-from graphic_tmm.chapters.indicator import given as gas
-from graphic_tmm.chapters.indicator.given import given_of
-from graphic_tmm.readers.task_sheet import Acting, Given, Listed, Posed, TaskSheet
+from graphic_tmm.chapters.indicator.given import GasOf, given_of
+from graphic_tmm.readers.task_sheet import Given, TaskSheet
 from graphic_tmm.scene.records import Scene
 
 
@@ -25,22 +24,9 @@ def given(scene: Scene) -> Iterator[Given]:
         yield Given("m", order.mass / KGF if kgf else order.mass, "kgf·s²/m" if kgf else "kg")
 
 
-def listed(scene: Scene, language: str) -> Iterator[Listed]:
-    """Yield the pressures in the cylinder."""
-    order = ASKED.of(scene)
-    if order is not None:
-        yield from gas.listed(order.indicator, scene, language)
-
-
-def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
-    """Yield the force of the gas."""
-    order = ASKED.of(scene)
-    if order is not None:
-        yield from gas.acting(order.indicator, scene, posed)
-
-
+_GAS = GasOf(ASKED)
 TASK_SHEET = TaskSheet(
     given=given,
-    listed=listed,
-    acting=acting,
+    listed=_GAS.listed,
+    acting=_GAS.acting,
 )

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.chapters.flywheel.task import ASKED, FLYWHEEL, FlywheelTask
-from graphic_tmm.chapters.indicator import given as gas
+from graphic_tmm.chapters.indicator.given import GasOf
 from graphic_tmm.chapters.indicator.given import given_of as given_of_cylinder
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.task_sheet import SIZE, Acting, Given, Listed, Posed, TaskSheet
+from graphic_tmm.readers.task_sheet import SIZE, Given, TaskSheet
 from graphic_tmm.scene.records import Scene
 
 
@@ -21,13 +21,6 @@ def given(scene: Scene) -> Iterator[Given]:
     if order.indicator is not None:
         yield from given_of_cylinder(order.indicator)
     yield from given_of(order)
-
-
-def stated(scene: Scene, language: str) -> Iterator[str]:
-    """Tell which cylinders begin their cycle later."""
-    order = ASKED.of(scene)
-    if order is not None:
-        yield from gas.stated(order.indicator, language)
 
 
 def given_of(order: FlywheelTask) -> Iterator[Given]:
@@ -83,24 +76,11 @@ _ENERGY_MASS = said("The flywheel is checked by the energy–mass diagram.")
 _RIM = said("The rim of the flywheel is dimensioned, its sketch is drawn.")
 
 
-def listed(scene: Scene, language: str) -> Iterator[Listed]:
-    """Yield the pressures in the cylinder."""
-    order = ASKED.of(scene)
-    if order is not None:
-        yield from gas.listed(order.indicator, scene, language)
-
-
-def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
-    """Yield the force of the gas."""
-    order = ASKED.of(scene)
-    if order is not None:
-        yield from gas.acting(order.indicator, scene, posed)
-
-
+_GAS = GasOf(ASKED)
 TASK_SHEET = TaskSheet(
     given=given,
-    stated=stated,
-    listed=listed,
-    acting=acting,
+    stated=_GAS.stated,
+    listed=_GAS.listed,
+    acting=_GAS.acting,
     wanted={FLYWHEEL: asks},
 )

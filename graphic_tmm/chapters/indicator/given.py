@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any, NamedTuple
 
 from graphic_tmm.chapters.indicator.diagram import letter_of
 from graphic_tmm.chapters.indicator.task import Gas, IndicatorTask, Stretch
@@ -24,6 +25,7 @@ from graphic_tmm.readers.task_sheet import (
 )
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
+from graphic_tmm.scene.tasks import SectionKey
 
 
 def given_of(order: IndicatorTask) -> Iterator[Given]:
@@ -152,3 +154,26 @@ def _pushing(order: IndicatorTask, letter: str, scene: Scene, posed: Posed) -> I
     strokes = tuple(one._replace(part="load") for one in arrow(tail, at - OFF * inward, "main"))
     wanted = Wanted(letter, tail, posed.size, 1.5, -inward)
     yield Acting(strokes, (wanted,), LoadSign(letter, at, inward, pushes=True))
+
+
+class GasOf(NamedTuple):
+    """What a task sheet says of the gas of a section of a scene that has an ``indicator``."""
+
+    asked: SectionKey[Any]
+
+    def _order(self, scene: Scene) -> IndicatorTask | None:
+        order = self.asked.of(scene)
+        found: IndicatorTask | None = order.indicator if order is not None else None
+        return found
+
+    def stated(self, scene: Scene, language: str) -> Iterator[str]:
+        """Tell which cylinders begin their cycle later."""
+        return stated(self._order(scene), language)
+
+    def listed(self, scene: Scene, language: str) -> Iterator[Listed]:
+        """Yield the pressures in the cylinders."""
+        return listed(self._order(scene), scene, language)
+
+    def acting(self, scene: Scene, posed: Posed) -> Iterator[Acting]:
+        """Yield the force of the gas."""
+        return acting(self._order(scene), scene, posed)

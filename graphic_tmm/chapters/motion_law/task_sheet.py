@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.indicator import given as gas
-from graphic_tmm.chapters.indicator.given import given_of
+from graphic_tmm.chapters.indicator.given import GasOf, given_of
 from graphic_tmm.chapters.motion_law.task import ASKED, MOTION_LAW
 from graphic_tmm.chapters.motor.task_sheet import given_of as motor_given
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.readers.task_sheet import Acting, Given, Listed, Posed, TaskSheet
+from graphic_tmm.readers.task_sheet import Given, TaskSheet
 from graphic_tmm.scene.records import Scene
 
 
@@ -64,27 +63,11 @@ _GRAPHS = said(
 )
 
 
-def stated(scene: Scene, language: str) -> Iterator[str]:
-    """Tell which cylinders begin their cycle later."""
-    order = ASKED.of(scene)
-    if order is not None:
-        yield from gas.stated(order.indicator, language)
-
-
-def listed(scene: Scene, language: str) -> Iterator[Listed]:
-    """Yield the pressures in the cylinder."""
-    order = ASKED.of(scene)
-    if order is not None:
-        yield from gas.listed(order.indicator, scene, language)
-
-
-def acting(scene: Scene, posed: Posed) -> Iterator[Acting]:
-    """Yield the force of the gas."""
-    order = ASKED.of(scene)
-    if order is not None:
-        yield from gas.acting(order.indicator, scene, posed)
-
-
+_GAS = GasOf(ASKED)
 TASK_SHEET = TaskSheet(
-    given=given, stated=stated, listed=listed, acting=acting, wanted={MOTION_LAW: asks}
+    given=given,
+    stated=_GAS.stated,
+    listed=_GAS.listed,
+    acting=_GAS.acting,
+    wanted={MOTION_LAW: asks},
 )
