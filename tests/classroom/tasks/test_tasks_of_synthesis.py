@@ -28,7 +28,7 @@ def rows(path: Path, board: str = "mechanism") -> dict[str, object]:
 
 def test_the_places_of_pivots_that_are_sought_are_told_by_them() -> None:
     told = rows(SHEETS / "three-positions" / "scene.toml")
-    assert (told["x_{C}"], told["y_{C}"]) == ("−xO + xC", "−yO + yC")
+    assert (told["x_{OC}"], told["y_{OC}"]) == ("−xO + xC", "−yO + yC")
     assert not {"l_{OA}", "l_{BC}"} & told.keys()
     assert (told["X_{A3}"], told["α_3"], told["l_{AB}"]) == (-43.0, 12.5, 120.0)
 
