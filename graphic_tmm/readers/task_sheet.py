@@ -116,6 +116,29 @@ class TaskSheet(Answer):
     wanted: Mapping[str, Callable[[Scene, str], Iterable[str]]] = field(default_factory=dict)
 
 
+ACROSS = 12
+"""So many positions stand beside one another in a table."""
+
+
+def by_positions(
+    name: str,
+    title: str,
+    rows: Sequence[tuple[str, Sequence[float]]],
+    scene: Scene,
+    language: str,
+) -> Iterator[Listed]:
+    """Yield what is given in each position of the row: quantities (mark-up) with their figures."""
+    word = captions(language)["position"]
+    for k in range(0, scene.row.count, ACROSS):
+        here = range(k, min(k + ACROSS, scene.row.count))
+        yield Listed(
+            f"{name}-{k}",
+            "" if k else title,
+            (word, *(str(scene.row.first + one) for one in here)),
+            tuple((head, *(given_figure(row[n], language) for n in here)) for head, row in rows),
+        )
+
+
 NAME = "table-given"
 TALL = 12
 """More rows than these stand side by side."""

@@ -273,7 +273,7 @@ class Drive:
     speed: float | tuple[float, ...] = key(
         ByShape(list, c.SPEEDS, c.SPEED),
         "its angular speed, positive; of what slides, on the frame or out of its cylinder, its speed, "
-        '"0.05 m/s"; 0 where it stands; or a list, one for each position',
+        '"0.05 m/s"; 0 where it stands; or a list, one for each position; "motion law": as the motion is found',
         "380 rpm",
     )
     acceleration: float | tuple[float, ...] = key(

@@ -12,6 +12,7 @@ from graphic_tmm.scene.bare import grouped
 from graphic_tmm.scene.checks import remarks
 from graphic_tmm.scene.declare import Flaw
 from graphic_tmm.scene.document import Document, document, parsed
+from graphic_tmm.scene.given_speeds import with_speeds
 from graphic_tmm.scene.lines import fault, key_of, line_of, locate
 from graphic_tmm.scene.packaged import FILE, SCENE, scene_name
 from graphic_tmm.scene.quantities import measuring
@@ -69,6 +70,9 @@ def understood(
 def _scene(file: Path, text: str | None, doc: Document, missing: Callable[[str], str]) -> Scene:
     with measuring(measures(doc)):
         own, told = joints.expanded(doc)
+        if not any(one.fault for one in told):
+            own, wrong = with_speeds(own, lambda other: _scene(file, text, other, missing))
+            told += wrong
         if any(one.fault for one in told):
             # what else were told would come of links that nobody can place
             raise SceneError(str(file), _in_order(text or "", doc, told))

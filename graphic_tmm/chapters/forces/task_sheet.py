@@ -33,9 +33,9 @@ from graphic_tmm.readers.task_sheet import (
     LoadSign,
     Posed,
     TaskSheet,
+    by_positions,
     given_figure,
 )
-from graphic_tmm.scene.captions import captions
 from graphic_tmm.scene.records import Scene
 from graphic_tmm.scene.values import CLOCKWISE, COUNTERCLOCKWISE
 
@@ -45,8 +45,6 @@ ROUND, SWEEP = 9.0, 90.0
 """Radius of the arrow of a moment, mm; it goes over so many degrees."""
 BESIDE = 8.0
 """How far from the middle of a spring its letter begins, mm."""
-ACROSS = 12
-"""So many positions stand beside one another in a table."""
 
 
 def polygons(scene: Scene, language: str) -> Iterator[str]:
@@ -118,7 +116,7 @@ def listed(scene: Scene, language: str) -> Iterator[Listed]:
 
 
 def _by_points(scene: Scene, called: str, load: Load, language: str) -> Iterator[Listed]:
-    _, words = speaking(language), captions(language)
+    _ = speaking(language)
     told = unit("N·m" if load.point is None else "N", language)
     name, row = f"load-{load.link}", f"{markup(called)}, {told}"
     if load.travel is not None:
@@ -138,11 +136,7 @@ def _by_points(scene: Scene, called: str, load: Load, language: str) -> Iterator
         yield _across(name, title, "φ, °", row, load.by_angle, language)
     elif isinstance(load.size, tuple):
         title = _(_PLACES, letter=markup(called))
-        names = [float(scene.row.first + k) for k in range(len(load.size))]
-        points = list(zip(names, load.size, strict=True))
-        for k in range(0, len(points), ACROSS):
-            some = points[k : k + ACROSS]
-            yield _across(f"{name}-{k}", "" if k else title, words["position"], row, some, language)
+        yield from by_positions(name, title, [(row, load.size)], scene, language)
 
 
 def _begun(scene: Scene, travel: Travel) -> tuple[str, str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.given import (
     coordinates,
     given,
@@ -16,10 +17,13 @@ from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, POSITIONS
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
+from graphic_tmm.language.symbols import symbol
 from graphic_tmm.language.units import unit
 from graphic_tmm.mechanism.records import Extreme
+from graphic_tmm.mechanism.structure import dissect
+from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.readers.narration import remark
-from graphic_tmm.readers.task_sheet import Given, TaskSheet
+from graphic_tmm.readers.task_sheet import LONG, Given, Listed, TaskSheet, by_positions
 from graphic_tmm.scene.records import Scene
 
 
@@ -129,6 +133,21 @@ def both_tables(scene: Scene, language: str) -> Iterator[str]:
         yield speaking(language)(_BOTH_TABLES)
 
 
+def speeds_listed(scene: Scene, language: str) -> Iterator[Listed]:
+    """Yield speeds that change from position to position, where the given data has no room for all."""
+    if scene.mechanism is None:
+        return
+    pair, *_ = driven(scene.mechanism, dissect(scene.mechanism))
+    rows = [
+        (f"{markup(symbol(letter, language))}, {unit(of, language)}", row)
+        for letter, row, of in pair.speeds_given()
+        if len(row) > LONG
+    ]
+    if rows:
+        yield from by_positions("speeds", speaking(language)(_SPEEDS), rows, scene, language)
+
+
+_SPEEDS = said("Speed and acceleration of the driving link by positions")
 _LENGTHS = said("In every position these lengths are read off: {listed}.")
 _OF_LINKS = said("In every position the angles of these lines with the x axis are found: {listed}.")
 _RELATIVE = said(
@@ -184,6 +203,7 @@ _BOTH_TABLES = said(
 TASK_SHEET = TaskSheet(
     given=given,
     stated=stated,
+    listed=speeds_listed,
     scheme=scheme,
     wanted={
         POSITIONS: positions,

@@ -21,6 +21,9 @@ same chords tell the time: over an interval with an even ε the mean speed is th
 With N positions ω errs by what the curve of the moment is off between them, as N⁻², and so does t. The same
 with every other position is off four times as much: a third of the difference is told as the error of ω.
 
+Plans of velocities, accelerations and forces take what is read off these graphs where ``drive.speed`` is
+"motion law": ω of each position in the last turn, and ε half-way between the middles of its intervals.
+
 Draws: place ``motion_law`` (moment, works, energy, energy–mass diagram, ω, ε, 1/ω, t, tables). Builds on the
 flywheel's reductions, and on kinematics, indicator (the gas) or forces (loads on the lever).
 

@@ -222,18 +222,23 @@ class DrivenPair(ABC):
         yield from ()
 
     def given(self, language: str) -> Iterator[Given]:
-        """Yield its speed and its acceleration in its sense; what is listed by positions, as a list."""
-        drive, unit, letter = self.drive, self.unit, self.speed_letter
+        """Yield its speed and its acceleration in its sense; of a long row between which they lie."""
+        for letter, row, unit in self.speeds_given():
+            yield Given(letter, given_figures(row, language), unit)
+
+    def speeds_given(self) -> Iterator[tuple[str, tuple[float, ...], str]]:
+        """Yield the letters of its speed and its acceleration, each with its figures by positions, its unit."""
+        drive, unit = self.drive, self.unit
         rates = [abs(rate) for rate in (drive.rates if drive.speed else ()) or (drive.speed,)]
         turns = [turns_a_minute(rate) for rate in rates if drive.speed and unit == "1/s"]
         known = [turn for turn in turns if turn is not None]
         if len(known) == len(rates):
-            yield Given(f"n_{self.link}", given_figures(known, language), "rpm")
+            yield f"n_{self.link}", tuple(known), "rpm"
         else:
-            yield Given(letter, given_figures(rates, language), unit)
+            yield self.speed_letter, tuple(rates), unit
         if drive.acceleration:
-            gains = [drive.sense * gain for gain in drive.gains or (drive.acceleration,)]
-            yield Given(self.gain_letter, given_figures(gains, language), f"{unit}²")
+            gains = (drive.sense * gain for gain in drive.gains or (drive.acceleration,))
+            yield self.gain_letter, tuple(gains), f"{unit}²"
 
 
 def reach(mechanism: Mechanism, without: Collection[int] = ()) -> float:
