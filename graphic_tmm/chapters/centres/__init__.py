@@ -26,21 +26,12 @@ Machinery (instant centers of velocity).
 from __future__ import annotations
 
 from graphic_tmm.chapters.centres.task import CENTRES, SECTIONS
-from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Chapter, Place
-
-_ASKS = (
-    said(
-        "All instantaneous centres are found by the theorem of Aronhold and Kennedy; the polygon of links "
-        "shows in which order."
-    ),
-    said("Angular velocities and velocities of points are found by the centres, and compared."),
-)
 
 CHAPTER = Chapter(
     name=CENTRES,
     number=20,
     builds_on=("kinematics",),
-    places=(Place(CENTRES, 24, asks=_ASKS),),
+    places=(Place(CENTRES, 24),),
     sections=SECTIONS,
 )

@@ -29,6 +29,8 @@ from graphic_tmm.paper.symbols.dimensions import arrow
 
 RADIUS = 1.3
 """Of the small circle about a centre, mm."""
+TOGETHER = 15.0
+"""Arrows to one centre that end no farther apart share a letter, mm."""
 EDGE, BEYOND, LEAST = 16.0, 4.0, 14.0
 """How far lines to far centres go on beyond all else; others beyond their centres; the shortest arrow, mm."""
 
@@ -145,7 +147,7 @@ class _Scheme:
         for one in self.made.centres:
             spot = self.seen.point(one.mark, self.place) if not one.far else complex("nan")
             if one.mark not in pins and finite(spot) and inside.holds(spot):
-                yield one.mark, leaving(circle("main", spot, RADIUS))
+                yield one.mark, leaving(circle("joint", spot, RADIUS))
 
     def arrows(self, of: Mark, stretch: Stretch) -> Iterator[tuple[list[Ink], Wanted]]:
         """The arrows at the ends of a line, with the centres to which they lead."""
@@ -174,7 +176,9 @@ def draw_scheme(
     for mark, stretch in lines.items():
         for head, letter in ink.arrows(mark, stretch):
             strokes += head
-            wanted.append(letter)
+            near = [k for k in wanted if k.text == letter.text and abs(k.at - letter.at) < TOGETHER]
+            if not near:
+                wanted.append(letter)
     circled = link_numbers(ink.links, place, strokes, wanted, on.heights.number)
     strokes += [stroke for one in circled for stroke in one.strokes]
     found = traces.drawing(on, strokes, wanted, [one.label for one in circled])

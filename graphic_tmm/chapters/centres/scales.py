@@ -8,6 +8,7 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.chapters.centres.extent import room, spots
 from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import CENTRES
+from graphic_tmm.fitting.choice import usual_room
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
@@ -17,7 +18,8 @@ from graphic_tmm.scene.records import Scene
 NATURAL = 260.0
 """The most that the scheme takes on an A1 the longer way, mm."""
 _WHY = said(
-    "The mechanism and the centres near to it take up to {room:g} mm on an A1; to the others arrows lead."
+    "The mechanism and the centres near to it take {room}; arrows lead to those that are farther off.",
+    room=usual_room(NATURAL),
 )
 
 
@@ -47,7 +49,7 @@ def _factors(sized: Sized) -> Iterator[ScaleFactor]:
     made = CENTRES_PLAN.on(sized)
     yield ScaleFactor(
         made.mu, "l_{max}", sized.reach[CENTRES], sized.sizes[CENTRES],
-        fixed=made.order.mu_l, lengths=True,
+        fixed=made.order.mu_l, lengths=True, why=_WHY,
     )  # fmt: skip
 
 
