@@ -16,7 +16,7 @@ from graphic_tmm.board.values import Line, Number, Point
 from graphic_tmm.chapters.centres import formulas as f
 from graphic_tmm.chapters.centres import words as why
 from graphic_tmm.chapters.centres.network import Centre, Network, Pair
-from graphic_tmm.chapters.centres.primary import Scheme, tried
+from graphic_tmm.chapters.centres.primary import Scheme, trial_values
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
@@ -134,7 +134,7 @@ def _drawn(draft: Draft) -> dict[Mark, Any]:
     marks = [step.it for step in log.steps if step.it.view in views and not step.op.across]
     marks = [mark for mark in marks if mark.kind in (Point, Line, Number)]
     marks += [mark for mark in log.given if mark.view in views and mark.kind is Point]
-    return tried(draft, marks)
+    return trial_values(draft, marks)
 
 
 def _by_velocities(
@@ -203,7 +203,8 @@ class _Finder:
             long = draw(measure_along, way, own.mark, common.mark, line, why=why.TO_COMMON)
             omega = draw(f.rate_by_slider, f"ω_{link}", self.speed, long, unit="1/s")
             return Rotation(link, omega=omega, ends=(long,))
-        line = self.network.line(base, own) if base.mark != own.mark else base.mark
+        line = self._of_three(own, self.driver) or self._of_three(common, self.frame)
+        line = line or self.network.line(base, own)
         ends = tuple(
             draw(
                 measure_along,
@@ -217,6 +218,12 @@ class _Finder:
         )
         ratio = draw(f.rates_by_centres, f"u_{{{link}{self.driver}}}", *ends)
         return Rotation(link, ratio=ratio, omega=self._turning(ratio, link), ends=ends)
+
+    def _of_three(self, centre: Centre, link: int) -> Mark | None:
+        """Return the line by which a centre was found that goes over a link: three centres lie on it."""
+        if link in centre.over and len(centre.lines) == len(centre.over):
+            return centre.lines[centre.over.index(link)]
+        return None
 
     def _turning(self, ratio: Mark | None, link: int = 0) -> Mark:
         """Return ω of a link by its ratio; of one that turns as the driving link does what is given of that."""

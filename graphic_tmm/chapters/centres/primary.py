@@ -97,11 +97,11 @@ class Scheme:
         line = incline_by(
             self.draft, slide.guide.name, through, body.axis, slide.guide.angle - body.angle
         )
-        self.network.values |= tried(self.draft, [body.axis, line])
+        self.network.values |= trial_values(self.draft, [body.axis, line])
         return line
 
 
-def tried(draft: Draft, marks: Sequence[Mark]) -> dict[Mark, Any]:
+def trial_values(draft: Draft, marks: Sequence[Mark]) -> dict[Mark, Any]:
     """Return marks in the positions of the row, at 1 m and 1 m/s a mm."""
     log = draft.board.construction()
     reading = execute(log, {**dict.fromkeys(log.given, 1.0), **draft.given}, marks)

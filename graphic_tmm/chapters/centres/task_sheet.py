@@ -23,7 +23,7 @@ _RATES = said(
 )
 
 
-def wanted(scene: Scene, language: str) -> Iterator[str]:
+def assignments(scene: Scene, language: str) -> Iterator[str]:
     """Ask for the centres in their positions, and for what is found by them."""
     order, _ = ASKED.of(scene), speaking(language)
     if order is None or order.positions == ("all",):
@@ -34,4 +34,4 @@ def wanted(scene: Scene, language: str) -> Iterator[str]:
     yield _(_RATES)
 
 
-TASK_SHEET = TaskSheet(given=lambda scene: (), wanted={CENTRES: wanted})
+TASK_SHEET = TaskSheet(given=lambda scene: (), wanted={CENTRES: assignments})

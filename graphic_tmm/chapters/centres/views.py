@@ -123,7 +123,7 @@ def _figure(drawn: Drawn, mark: Mark | None, place: int, times: float = 1.0) -> 
     return float(row[place if row.size > 1 else 0]) * times
 
 
-def _told(value: float, places: int, language: str) -> str:
+def _rounded(value: float, places: int, language: str) -> str:
     return fixed(value, places, language) if value == value else NONE
 
 
@@ -132,16 +132,16 @@ def _turning(drawn: Drawn, made: Centres, one: Rotation, place: int) -> list[lis
     plan = _figure(drawn, one.plan, place)
     if one.still:
         return [[f"ω_{{{one.link}}}", NONE, "0", "0", units]]
-    lengths = " : ".join(_told(_figure(drawn, k, place), 1, language) for k in one.ends) or NONE
+    lengths = " : ".join(_rounded(_figure(drawn, k, place), 1, language) for k in one.ends) or NONE
     rows = []
     if one.ratio is not None:
-        ratio = _told(_figure(drawn, one.ratio, place), 4, language)
+        ratio = _rounded(_figure(drawn, one.ratio, place), 4, language)
         rows.append([f"u_{{{one.link}{made.driver}}}", lengths, ratio, NONE, NONE])
         lengths = NONE
     times = float(KINEMATICS_PLAN.on(drawn).sense) if one.alike else 1.0
     plan = abs(plan) if one.by_point else plan
     figures = [_figure(drawn, one.omega, place, times), plan]
-    told = [_told(value, 4, language) for value in figures]
+    told = [_rounded(value, 4, language) for value in figures]
     return [*rows, [f"ω_{{{one.link}}}", lengths, *told, units]]
 
 
@@ -150,8 +150,8 @@ def _moving(drawn: Drawn, one: PointSpeed, place: int) -> list[list[str]]:
     mu = KINEMATICS_PLAN.on(drawn).velocities
     assert mu is not None
     plan = abs(_figure(drawn, one.plan, place, drawn.value(mu.mu)))
-    told = [_told(v, 4, language) for v in (_figure(drawn, one.value, place), plan)]
-    length = _told(_figure(drawn, one.distance, place), 1, language)
+    told = [_rounded(v, 4, language) for v in (_figure(drawn, one.value, place), plan)]
+    length = _rounded(_figure(drawn, one.distance, place), 1, language)
     return [[f"v_{{{escape(one.letter)}}}", length, *told, unit("m/s", language)]]
 
 

@@ -21,9 +21,7 @@ SYMBOLS = (
     ("P_{12}", said("instantaneous centre of links 1 and 2"), ""),
     ("u_{21}", said("ratio of angular velocities, ω_2/ω_1"), ""),
 )
-WORDS = Named(
-    captions=CAPTIONS, plans=(CENTRES,), sources=("artobolevsky", "norton"), symbols=SYMBOLS
-)
+WORDS = Named(captions=CAPTIONS, plans=(CENTRES,), sources=("artobolevsky",), symbols=SYMBOLS)
 
 PIN = said("Links in a pin have one velocity there: it is the centre of each two of them.")
 AT_INFINITY = said(
