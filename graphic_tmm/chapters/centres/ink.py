@@ -163,7 +163,11 @@ class _Scheme:
 
 
 def draw_scheme(
-    on: Subject, made: Centres, reaches: Mapping[Figure, Reach], place: int, times: float
+    on: Subject,
+    made: Centres,
+    reaches: Mapping[Figure, Reach],
+    place: int,
+    times: float,
 ) -> Drawing:
     """Return the scheme of centres in one position; ``times``: how much larger than the plan of positions."""
     ink = _Scheme(on, made, reaches, place, times)

@@ -203,8 +203,8 @@ class _Finder:
             long = draw(measure_along, way, own.mark, common.mark, line, why=why.TO_COMMON)
             omega = draw(f.rate_by_slider, f"ω_{link}", self.speed, long, unit="1/s")
             return Rotation(link, omega=omega, ends=(long,))
-        line = self._of_three(own, self.driver) or self._of_three(common, self.frame)
-        line = line or self.network.line(base, own)
+        known = self._of_three(own, self.driver) or self._of_three(common, self.frame)
+        line = known or self.network.line(base, own)
         ends = tuple(
             draw(
                 measure_along,
@@ -277,7 +277,7 @@ class _Finder:
             own, point = self.network.of(one.link, self.frame), bodies[one.link].marks[letter]
             assert own is not None
             point = self.scheme.point(point)
-            if (found := self._speed(one, own, point)) is not None:
+            if (found := self._speed(one, own, point, letter)) is not None:
                 yield PointSpeed(letter, one.link, *found, self._readings(one.link).get(point))
 
     def _distance(self, one: Rotation, point: Mark) -> float:
@@ -293,7 +293,9 @@ class _Finder:
         there = apart[np.isfinite(apart)]
         return float(np.median(there)) if there.size else math.inf
 
-    def _speed(self, one: Rotation, own: Centre, point: Mark) -> tuple[Mark, Mark] | None:
+    def _speed(
+        self, one: Rotation, own: Centre, point: Mark, letter: str
+    ) -> tuple[Mark, Mark] | None:
         """Find the velocity of a point of a link; of one that translates as that of P_1i."""
         center, omega = own.mark, one.omega
         if one.still:
@@ -307,6 +309,5 @@ class _Finder:
         known = self.draft.board.length(center, point)
         name = f"{center.name}{point.name}"
         distance = known or self.network.draw(measure, name, center, point, why=why.RADIUS)
-        letter = f"v_{{{one.link}}}" if one.still else f"v_{point.name}"
-        value = self.network.draw(f.speed_about, letter, omega, distance, unit="m/s")
+        value = self.network.draw(f.speed_about, f"v_{letter}", omega, distance, unit="m/s")
         return value, distance

@@ -1,4 +1,4 @@
-"""Instantaneous centres at any angle of the crank; their scheme, which moves with it."""
+"""Instantaneous centres at any angle of the crank."""
 
 from __future__ import annotations
 

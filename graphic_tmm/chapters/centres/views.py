@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from graphic_tmm.board.record import Mark
+from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.centres.ink import draw_scheme
 from graphic_tmm.chapters.centres.ink_polygon import draw_polygon
 from graphic_tmm.chapters.centres.network import LINES, PARALLEL, Centre
@@ -17,13 +18,14 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
-from graphic_tmm.language.numbers import fixed, number
+from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing, Stroke
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.ruled import ruled_table
+from graphic_tmm.paper.views import mu_text
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.scene.captions import captions
 
@@ -35,18 +37,23 @@ def centre_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     made = CENTRES_PLAN.of(drawn)
     if made is None:
         return []
-    language, words = drawn.scene.language, captions(drawn.scene.language)
+    words = captions(drawn.scene.language)
     places = [k for k in made.places if k not in drawn.undrawn]
     found = list[Drawing]()
     for place in places:
         name = drawn.names[place]
         title = f"{words[CENTRES]}, {words['position']} {escape(name)}"
         on = subject(drawn, title, CENTRES, name=f"{CENTRES}-{name}")
-        mu = f"μ_{{lP}} = {number(drawn.value(made.mu), language)} {unit('m/mm', language)}"
-        found.append(with_caption(scheme(drawn, made, on.title, place), on, lettered, mu))
+        view = scheme(drawn, made, on.title, place)
+        found.append(with_caption(view, on, lettered, scale_text(drawn, made)))
     on = subject(drawn, words["centres polygon"], CENTRES, name="centres-polygon")
     found.append(with_caption(draw_polygon(on, made), on, lettered))
     return [*found, where(drawn, made, places), *(rates(drawn, made, k) for k in places)]
+
+
+def scale_text(drawn: Drawn, made: Centres) -> str:
+    """Return the scale factor of the scheme."""
+    return mu_text(Scale(made.mu.name, drawn.value(made.mu), made.mu.unit), drawn.scene.language)
 
 
 def scheme(drawn: Drawn, made: Centres, title: str, place: int) -> Drawing:
