@@ -11,9 +11,9 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import join, parallel, square
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Line, Point
-from graphic_tmm.chapters.centres.extent import Room, room, spots
 from graphic_tmm.chapters.centres.network import Centre
 from graphic_tmm.chapters.centres.plan import Centres
+from graphic_tmm.chapters.centres.scales import Room, room, spots
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
@@ -109,7 +109,7 @@ class _Scheme:
             away = {k for k, far in along.items() if sign * (far - end) > -EDGE / 2}
             centres = tuple(one for one in own if one.mark in away)
             infinite = tuple(one for one in own if one.far and one.mark == of)
-            if infinite and sign == self._side(at, way, low, high):
+            if infinite and sign == (1.0 if (way.imag or way.real) > 0.0 else -1.0):
                 centres += infinite
             if not centres:
                 continue
@@ -122,11 +122,6 @@ class _Scheme:
             first, last = min(first, tip), max(last, tip)
             leads.append((at + tip * way, sign * way, centres))
         return Stretch((at + first * way, at + last * way), tuple(leads))
-
-    def _side(self, at: complex, way: complex, low: float, high: float) -> float:
-        """Return to which side the arrow of a centre at infinity points: upwards, to the right."""
-        upwards = way.imag if abs(way.imag) > 1e-6 else way.real
-        return 1.0 if upwards > 0.0 else -1.0
 
     def letters(self) -> list[Wanted]:
         """The letters of points and of centres; what stands in one place shares a label."""

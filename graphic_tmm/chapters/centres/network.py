@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
 from typing import Any, NamedTuple
@@ -149,9 +149,7 @@ class Network:
 
     def _course(self, i: int, k: int, j: int) -> Line | str | None:
         """Return the line through P_ik and P_kj in numbers; "infinity", or None where both are one."""
-        first, second = self.of(i, k), self.of(k, j)
-        assert first is not None
-        assert second is not None
+        first, second = self.centres[self.pair(i, k)], self.centres[self.pair(k, j)]
         p, q = self.values[first.mark], self.values[second.mark]
         with np.errstate(all="ignore"):
             if first.far and second.far:
@@ -218,65 +216,45 @@ class Network:
         self, link: int, points: Mapping[Mark, Mark], pole: Mark, *, turned: bool
     ) -> bool:
         """Find P_i0 of a link by the velocities of its points; ``points``: to the marks of their images."""
-        there = [k for k, image in points.items() if image != pole]
-        best, pair = SURE, None
-        for a, b in combinations(there, 2):
-            with np.errstate(all="ignore"):
-                ways = [self.values[points[k]] - self.values[pole] for k in (a, b)]
-                sine = np.abs(wedge(*ways) / (np.abs(ways[0]) * np.abs(ways[1])))[0]
-            known = np.nan_to_num(np.broadcast_to(sine, (max(sine.size, max(self.places) + 1),)))
-            if (mean := float(np.mean(np.minimum(known[self.places], SQUARE)))) > best:
-                best, pair = mean, (a, b)
-        letter = letter_of(self.pair(link, self.frame))
+        letter, ways = letter_of(self.pair(link, self.frame)), dict[Mark, Line]()
+        for k, image in points.items():
+            if image != pole:
+                with np.errstate(all="ignore"):
+                    off = self.values[image] - self.values[pole]
+                    ways[k] = Line(self.values[k], off / np.abs(off))
+        found = [
+            (one[0], pair)
+            for pair in combinations(ways, 2)
+            if (one := self._crossing(*map(ways.get, pair)))
+        ]
+        (_, pair), lines = max(found, default=(0.0, None), key=lambda one: one[0]), list[Mark]()
         if pair is not None:
-            lines = []
             for k in pair:
-                image = points[k]
-                ray = self.draw(join, f"(p{image.name})", pole, image, why=why.VELOCITY)
+                ray = self.draw(join, f"(p{points[k].name})", pole, points[k], why=why.VELOCITY)
                 op = parallel if turned else square
                 lines.append(self.draw(op, f"(⊥v_{k.name})", k, ray, why=why.NORMAL))
             mark = self.draw(meet, letter, *lines, free=True, why=why.TWO_NORMALS)
-            way, used = NORMALS, tuple(lines)
         else:
-            ends = self._apart(points)
-            if ends is None:
+            pair = next((p for p in combinations(points, 2) if points[p[0]] != points[p[1]]), None)
+            if pair is None:
                 return False
-            (a, b), used, way = ends, (), IMAGE
-            uses = a, b, points[a], points[b], pole
+            uses = (*pair, *(points[k] for k in pair), pole)
             mark = self.draw(similar, letter, *uses, free=True, why=why.IMAGE)
-        self.enter(Centre(self.pair(link, self.frame), mark, False, way, (), used))
+        way = NORMALS if lines else IMAGE
+        self.enter(Centre(self.pair(link, self.frame), mark, False, way, (), tuple(lines)))
         return True
-
-    def _apart(self, points: Mapping[Mark, Mark]) -> tuple[Mark, Mark] | None:
-        """Return two points of a link whose images differ."""
-        for a, b in combinations(points, 2):
-            off = np.abs(self.values[points[a]] - self.values[points[b]])
-            most = max(
-                float(np.nanmax(np.abs(self.values[k]), initial=0.0)) for k in points.values()
-            )
-            if np.nanmax(off, initial=0.0) > SAME * most:
-                return a, b
-        return None
 
     def by_rates(self, plan: Motion) -> None:
         """Find what is missing where both links turn about centres that are there: by their ω of the plan."""
-        for i, j in self.missing:
-            ends = self.finite(i, self.frame), self.finite(j, self.frame)
-            rates = plan.rates.get(i), plan.rates.get(j)
-            if None in ends or None in rates or ends[0] == ends[1]:
+        for links in self.missing:
+            ends = [self.finite(k, self.frame) for k in links]
+            rates = [plan.rates[k] for k in links if k in plan.rates]
+            there = [mark for mark in ends if mark is not None]
+            if len(there) < 2 or len(rates) < 2 or there[0] == there[1]:
                 continue
-            (p, q), (first, second) = ends, rates
-            assert p is not None
-            assert q is not None
-            assert first is not None
-            assert second is not None
-            line = self.draw(join, f"({p.name}{q.name})", p, q, why=why.DIVIDED)
-            whole = self.draw(measure_along, f"{p.name}{q.name}", p, q, line)
-            name = letter_of((i, j))
-            part = self.draw(f.divided, f"{p.name}{name}", whole, first, second)
+            called, name = "".join(mark.name for mark in there), letter_of(links)
+            line = self.draw(join, f"({called})", *there, why=why.DIVIDED)
+            whole = self.draw(measure_along, called, *there, line)
+            part = self.draw(f.divided, f"{there[0].name}{name}", whole, *rates)
             mark = self.draw(lay_off, name, line, part, free=True, why=why.DIVIDED)
-            self.enter(Centre((i, j), mark, False, RATES, (), (line,)))
-
-    def order(self) -> Iterator[tuple[int, Centre]]:
-        """Yield the centres in the order in which they were found, numbered from 1."""
-        return enumerate(self.centres.values(), 1)
+            self.enter(Centre(links, mark, False, RATES, (), (line,)))

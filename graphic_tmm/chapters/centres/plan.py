@@ -97,15 +97,8 @@ def record(bench: Bench) -> Centres | None:
     bench.tell(CENTRES, places)
     values = _drawn(draft)
     mechanism = plans.mechanism
-    size = (
-        max(
-            abs(a - b)
-            for link in (mechanism.frame, *mechanism.drawn)
-            for a in link.points.values()
-            for b in link.points.values()
-        )
-        or 1.0
-    )
+    links = (mechanism.frame, *mechanism.drawn)
+    size = max(abs(spot) for link in links for spot in link.points.values()) or 1.0
     draft.open(CENTRES)
     mu = draft.scale("μ_{lP}", "m/mm")
     values[mu] = values[draft.mu_l] = np.ones((1, 1))
@@ -205,16 +198,10 @@ class _Finder:
             return Rotation(link, omega=omega, ends=(long,))
         known = self._of_three(own, self.driver) or self._of_three(common, self.frame)
         line = known or self.network.line(base, own)
+        names = [f"{common.mark.name}{k.mark.name}" for k in (base, own)]
         ends = tuple(
-            draw(
-                measure_along,
-                f"{common.mark.name}{k.mark.name}",
-                common.mark,
-                k.mark,
-                line,
-                why=why.TO_COMMON,
-            )
-            for k in (base, own)
+            draw(measure_along, name, common.mark, k.mark, line, why=why.TO_COMMON)
+            for name, k in zip(names, (base, own), strict=True)
         )
         ratio = draw(f.rates_by_centres, f"u_{{{link}{self.driver}}}", *ends)
         return Rotation(link, ratio=ratio, omega=self._turning(ratio, link), ends=ends)
@@ -261,31 +248,25 @@ class _Finder:
 
     def speeds(self, rotations: tuple[Rotation, ...]) -> Iterator[PointSpeed]:
         """Yield the velocities of the named points, each by the nearest centre of a link that it is of."""
-        bodies, still = self.plans.positions.bodies, self.plans.mechanism.frame.points
-        driven = (
-            bodies[self.driver].link.points if isinstance(self.pair, Crank) and self.driver else {}
-        )
-        nearest: dict[str, tuple[float, Rotation]] = {}
-        for one in rotations:
-            for letter in bodies[one.link].link.points:
-                if letter not in {*still, *driven, one.by_point}:
-                    far = self._distance(one, bodies[one.link].marks[letter])
-                    nearest[letter] = min(
-                        nearest.get(letter, (far, one)), (far, one), key=lambda k: k[0]
-                    )
-        for letter, (_, one) in nearest.items():
-            own, point = self.network.of(one.link, self.frame), bodies[one.link].marks[letter]
-            assert own is not None
-            point = self.scheme.point(point)
-            if (found := self._speed(one, own, point, letter)) is not None:
+        bodies, there = self.plans.positions.bodies, {*self.plans.mechanism.frame.points}
+        if isinstance(self.pair, Crank) and self.driver:
+            there |= {*bodies[self.driver].link.points}
+        every = [(one, letter) for one in rotations for letter in bodies[one.link].link.points]
+        for one, letter in sorted(every, key=lambda k: self._distance(*k)):
+            if letter in {*there, one.by_point}:
+                continue
+            own, point = self.network.of(one.link, self.frame), self._point(one, letter)
+            if own is not None and (found := self._speed(one, own, point, letter)) is not None:
+                there.add(letter)
                 yield PointSpeed(letter, one.link, *found, self._readings(one.link).get(point))
 
-    def _distance(self, one: Rotation, point: Mark) -> float:
-        """Return how far a point is from the centre of its link, in the middle of the positions asked for."""
-        own = self.network.of(one.link, self.frame)
-        if own is None or own.far:
-            return 0.0
-        return self._apart(own.mark, self.scheme.point(point))
+    def _point(self, one: Rotation, letter: str) -> Mark:
+        return self.scheme.point(self.plans.positions.bodies[one.link].marks[letter])
+
+    def _distance(self, one: Rotation, letter: str) -> float:
+        """Return how far a point is from the centre of its link, in the middle of the positions."""
+        own = self.network.finite(one.link, self.frame)
+        return self._apart(own, self._point(one, letter)) if own is not None else 0.0
 
     def _apart(self, first: Mark, second: Mark) -> float:
         values = self.network.values
