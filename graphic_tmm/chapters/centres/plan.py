@@ -168,11 +168,10 @@ class _Finder:
 
     def rotations(self) -> Iterator[Rotation]:
         """Yield how each link turns that is not driven."""
+        cranks = [pair.link for pair in self.plans.pairs if isinstance(pair, Crank)]
         for link in self.network.links[:-1]:
-            if link == self.driver and isinstance(self.pair, Crank):
-                continue
             own = self.network.of(link, self.frame)
-            if own is not None:
+            if own is not None and link not in cranks:
                 found = self._rotation(link, own)
                 yield replace(found, plan=self.velocities.rates.get(link))
 
