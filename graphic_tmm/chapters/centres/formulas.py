@@ -62,7 +62,7 @@ def rate_by_point(segment: Length, mu_v: Number, distance: Length, mu: Number) -
 
 @formula(why=said("At this moment the link turns about its centre: velocities are as distances."))
 def speed_about(omega: Number, distance: Length, mu: Number) -> Number:
-    """|{omega}|·{distance}·{mu}"""
+    """|{omega}·{distance}|·{mu}"""
 
 
 @formula(

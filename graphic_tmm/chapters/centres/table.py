@@ -11,7 +11,7 @@ from graphic_tmm.board.values import Length, Reals
 from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.drawn import Drawn
-from graphic_tmm.readers.columns import Column, Tabled, empty
+from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.protocol import Protocols
 
 
@@ -43,12 +43,9 @@ def figures(made: Centres) -> Iterator[Mark]:
 
 def _row(made: Centres, drawn: Drawn, mark: Mark, by: Mark | None) -> Reals:
     """Return figures at the positions asked for, NaN at the others."""
-    value = drawn.reading.figure(mark, by)
-    row = np.full((len(value), len(drawn.names)), np.nan)
-    places = list(made.places)
-    whole = np.broadcast_to(value, row.shape)[:, places]
-    row[:, places] = np.where(np.isfinite(whole), whole, np.nan)
-    return row
+    value, places = drawn.reading.figure(mark, by), list(made.places)
+    whole = np.broadcast_to(value, (len(value), len(drawn.names)))
+    return row_of(whole[:, places], places, len(drawn.names))
 
 
 TABLE = Tabled(columns=columns)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
@@ -70,12 +71,8 @@ def where(drawn: Drawn, made: Centres, places: Sequence[int]) -> Drawing:
     for n, one in enumerate(made.centres, 1):
         cells = [cell for k in places for cell in _spot(drawn, one, k)]
         rows.append([str(n), one.name, lines_of(made, one, language), *cells])
-    many = len(places) > 1
-    heads = [
-        f"{axis}{f'({escape(drawn.names[k])})' if many else ''}, {mm}"
-        for k in places
-        for axis in "xy"
-    ]
+    names = [f"({escape(drawn.names[k])})" if len(places) > 1 else "" for k in places]
+    heads = [f"{axis}{name}, {mm}" for name in names for axis in "xy"]
     high = heights(drawn.scene, CENTRES)
     align = ["centre", "left", "left", *["number"] * len(heads)]
     return ruled_table(
@@ -88,32 +85,32 @@ def where(drawn: Drawn, made: Centres, places: Sequence[int]) -> Drawing:
 def _spot(drawn: Drawn, one: Centre, place: int) -> tuple[str, str]:
     if one.far:
         return "∞", "∞"
-    value = drawn.reading[one.mark][0]
-    at = complex(value[place if value.size > 1 else 0])
-    if at != at:
-        return NONE, NONE
-    language = drawn.scene.language
-    return fixed(at.real, 1, language), fixed(at.imag, 1, language)
+    at = complex(_at(drawn.reading[one.mark], place))
+    return _cell(at.real, 1, drawn), _cell(at.imag, 1, drawn)
+
+
+def _at(rows: Any, place: int) -> Any:
+    return rows[0][place if rows.shape[1] > 1 else 0]
+
+
+def _cell(value: float, places: int, drawn: Drawn) -> str:
+    return fixed(value, places, drawn.scene.language) if value == value else NONE
 
 
 def lines_of(made: Centres, one: Centre, language: str) -> str:
     """Return by what a centre was found: its two lines, or a word."""
     if one.way not in (LINES, PARALLEL):
         return speaking(language)(WAYS[one.way])
-    names = {c.links: c.name for c in made.centres}
+    names = {frozenset(c.links): c.name for c in made.centres}
     i, j = one.links
-
-    def name(first: int, second: int) -> str:
-        return names.get((first, second)) or names[second, first]
-
-    return " × ".join(f"{name(i, k)} {name(k, j)}" for k in one.over)
+    return " × ".join(f"{names[frozenset((i, k))]} {names[frozenset((k, j))]}" for k in one.over)
 
 
 def rates(drawn: Drawn, made: Centres, place: int) -> Drawing:
     """Return the table of ω and v in a position, by the centres and by the plan of velocities."""
     words = captions(drawn.scene.language)
     rows = [row for one in made.rotations for row in _turning(drawn, made, one, place)]
-    rows += [row for one in made.speeds for row in _moving(drawn, one, place)]
+    rows += [_moving(drawn, one, place) for one in made.speeds]
     title = f"{words['centres rates']}, {words['position']} {escape(drawn.names[place])}"
     high = heights(drawn.scene, CENTRES)
     return ruled_table(
@@ -123,43 +120,32 @@ def rates(drawn: Drawn, made: Centres, place: int) -> Drawing:
     )  # fmt: skip
 
 
-def _figure(drawn: Drawn, mark: Mark | None, place: int, times: float = 1.0) -> float:
-    if mark is None:
-        return float("nan")
-    row = drawn.reading.figure(mark)[0]
-    return float(row[place if row.size > 1 else 0]) * times
-
-
-def _rounded(value: float, places: int, language: str) -> str:
-    return fixed(value, places, language) if value == value else NONE
+def _figure(drawn: Drawn, mark: Mark | None, place: int) -> float:
+    return float("nan") if mark is None else float(_at(drawn.reading.figure(mark), place))
 
 
 def _turning(drawn: Drawn, made: Centres, one: Rotation, place: int) -> list[list[str]]:
-    language, units = drawn.scene.language, unit("1/s", drawn.scene.language)
-    plan = _figure(drawn, one.plan, place)
+    units, name = unit("1/s", drawn.scene.language), f"ω_{{{one.link}}}"
     if one.still:
-        return [[f"ω_{{{one.link}}}", NONE, "0", "0", units]]
-    lengths = " : ".join(_rounded(_figure(drawn, k, place), 1, language) for k in one.ends) or NONE
-    rows = []
-    if one.ratio is not None:
-        ratio = _rounded(_figure(drawn, one.ratio, place), 4, language)
-        rows.append([f"u_{{{one.link}{made.driver}}}", lengths, ratio, NONE, NONE])
-        lengths = NONE
-    times = float(KINEMATICS_PLAN.on(drawn).sense) if one.alike else 1.0
-    plan = abs(plan) if one.by_point else plan
-    figures = [_figure(drawn, one.omega, place, times), plan]
-    told = [_rounded(value, 4, language) for value in figures]
-    return [*rows, [f"ω_{{{one.link}}}", lengths, *told, units]]
+        return [[name, NONE, "0", "0", units]]
+    own, plan = (_figure(drawn, mark, place) for mark in (one.omega, one.plan))
+    if one.alike:
+        own *= KINEMATICS_PLAN.on(drawn).sense
+    found = [_cell(own, 4, drawn), _cell(abs(plan) if one.by_point else plan, 4, drawn), units]
+    lengths = " : ".join(_cell(_figure(drawn, k, place), 1, drawn) for k in one.ends) or NONE
+    if one.ratio is None:
+        return [[name, lengths, *found]]
+    ratio = _cell(_figure(drawn, one.ratio, place), 4, drawn)
+    return [[f"u_{{{one.link}{made.driver}}}", lengths, ratio, NONE, NONE], [name, NONE, *found]]
 
 
-def _moving(drawn: Drawn, one: PointSpeed, place: int) -> list[list[str]]:
-    language = drawn.scene.language
-    mu = KINEMATICS_PLAN.on(drawn).velocities
-    assert mu is not None
-    plan = abs(_figure(drawn, one.plan, place, drawn.value(mu.mu)))
-    told = [_rounded(v, 4, language) for v in (_figure(drawn, one.value, place), plan)]
-    length = _rounded(_figure(drawn, one.distance, place), 1, language)
-    return [[f"v_{{{escape(one.letter)}}}", length, *told, unit("m/s", language)]]
+def _moving(drawn: Drawn, one: PointSpeed, place: int) -> list[str]:
+    velocities = KINEMATICS_PLAN.on(drawn).velocities
+    assert velocities is not None
+    plan = abs(_figure(drawn, one.plan, place)) * drawn.value(velocities.mu)
+    found = [_cell(v, 4, drawn) for v in (_figure(drawn, one.value, place), plan)]
+    length = _cell(abs(_figure(drawn, one.distance, place)), 1, drawn)
+    return [f"v_{{{escape(one.letter)}}}", length, *found, unit("m/s", drawn.scene.language)]
 
 
 def plan_at(

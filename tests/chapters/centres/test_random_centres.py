@@ -8,7 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from support.mechanisms import sample
-from support.oracle import OracleError, solve_fast
+from support.oracle import solve_fast
+from support.oracle_gears import OracleError
 from support.random_mechanisms import drawn
 
 import graphic_tmm as tmm
