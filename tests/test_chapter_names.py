@@ -35,6 +35,10 @@ ALLOWED = {
     "readers/any_angles/turn.py: 'arc_cam'",
     "readers/any_angles/turn.py: 'gears'",
     "readers/any_angles/results.py: 'forces'",
+    "readers/any_angles/turn.py: 'centres'",
+    "readers/any_angles/results.py: 'centres'",
+    # the centres of wheels in mesh
+    "scene/meshes.py: 'centres'",
     # what balances a drive, as motion tells it: not the balance of masses
     "readers/any_angles/turn.py: 'balance'",
     "readers/any_angles/results.py: 'balance'",

@@ -17,7 +17,7 @@ from graphic_tmm.readers.writing import ANGLE, LENGTH
 
 Points = Mapping[tuple[str, int], Complexes]
 """Of a letter on a link, x + iy in the frame's axes, (angle,)."""
-OF_LINKS = ("omega", "epsilon", "forces", "balance", "columns", "profile")
+OF_LINKS = ("omega", "epsilon", "forces", "balance", "columns", "profile", "centres")
 """What is told of links, and of boards of their own."""
 COMPONENTS = {"places": "", "velocities": "v", "accelerations": "a"}
 """Names of a point's components in a data frame: D.x, D.vx, D.ax."""
@@ -116,6 +116,9 @@ class Motion:
     profile
         Points of the cam, in axes that turn with it, from its centre, m, x + iy: ``K`` of its profile, ``B`` of
         the theoretical one, or of the follower on arcs.
+    centres
+        Instantaneous centres by their names, ``P20``, in the frame's axes, m, x + iy; those that always lie at
+        infinity are left out, and NaN stands where one does now.
     """
 
     at: Reals
@@ -129,6 +132,7 @@ class Motion:
     balance: Mapping[str, Reals]
     columns: Mapping[str, Reals]
     profile: Mapping[str, Complexes]
+    centres: Mapping[str, Complexes]
 
     @property
     def angles(self) -> Reals:
@@ -190,7 +194,7 @@ class Motion:
         pandas.DataFrame
             ``angle_deg``, or ``length_m`` where the drive slides; of points ``D.x``, ``D.y``, ``D.vx``,
             ``D.vy``, ``D.ax``, ``D.ay``, where links differ in theirs ``D(5).x``; ``omega3``, ``epsilon3``;
-            ``R12.x``, ``R12.y``; the balance; of a cam, a train, a pair of gears their columns.
+            ``R12.x``, ``R12.y``; the balance; ``P20.x``; of a cam, a train, a pair of gears their columns.
 
         Raises
         ------
@@ -205,7 +209,7 @@ class Motion:
                     found |= _components(f"{name}.{of}", values[letter, link])
         found |= {f"omega{link}": row for link, row in self._of("omega").items()}
         found |= {f"epsilon{link}": row for link, row in self._of("epsilon").items()}
-        for name, row in {**self._of("forces"), **self.profile}.items():
+        for name, row in {**self._of("forces"), **self.profile, **self._of("centres")}.items():
             found |= _components(f"{name}.", row)
         found |= self.columns
         return needed("pandas", "pandas").DataFrame({**found, **self._of("balance")})

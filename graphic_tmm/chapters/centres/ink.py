@@ -1,0 +1,184 @@
+"""The scheme of centres in ink: the mechanism, lines through centres, circles, arrows to what lies far off."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.operations.instruments import join, parallel, square
+from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.board.values import Line, Point
+from graphic_tmm.chapters.centres.network import Centre
+from graphic_tmm.chapters.centres.plan import Centres
+from graphic_tmm.chapters.centres.scales import Room, room, spots
+from graphic_tmm.chapters.centres.task import CENTRES
+from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
+from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
+from graphic_tmm.chapters.kinematics.reaches import Reach
+from graphic_tmm.chapters.kinematics.task import POSITIONS
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
+from graphic_tmm.paper.figure import figure, showing
+from graphic_tmm.paper.labels import Named, lettered, shared
+from graphic_tmm.paper.lettering.markup import markup
+from graphic_tmm.paper.mark_rules import leaving
+from graphic_tmm.paper.seen import Rule, Subject, finite
+from graphic_tmm.paper.symbols.dimensions import arrow
+
+RADIUS = 1.3
+"""Of the small circle about a centre, mm."""
+TOGETHER = 15.0
+"""Arrows to one centre that end no farther apart share a letter, mm."""
+EDGE, BEYOND, LEAST = 16.0, 4.0, 14.0
+"""How far lines to far centres go on beyond all else; others beyond their centres; the shortest arrow, mm."""
+
+
+class Stretch(NamedTuple):
+    """What is drawn of a line: its ends, mm; by its end the far centres to which an arrow there leads."""
+
+    ends: tuple[complex, complex]
+    leads: tuple[tuple[complex, complex, tuple[Centre, ...]], ...]
+
+
+def larger(value: Any, times: float) -> Any:
+    """Return a point, a line or a length in another scale."""
+    if isinstance(value, Line):
+        return value._replace(at=value.at * times)
+    return value * times if np.iscomplexobj(value) else value
+
+
+class _Scheme:
+    """The scheme in one position while it is inked."""
+
+    def __init__(
+        self, on: Subject, made: Centres, reaches: Mapping[Figure, Reach], place: int, times: float
+    ) -> None:
+        self.made, self.place, self.on = made, place, on
+        self.seen = on.seen((CENTRES,), [place])
+        figures = [one for one in on.construction.figures if one.view == POSITIONS]
+        marks = dict.fromkeys(mark for one in figures for mark in one.marks)
+        values = {mark.slot: larger(on.reading[mark], times) for mark in marks}
+        whole = {one: reach.times(times) for one, reach in reaches.items()}
+        self.links = PositionsInk(
+            on.construction, Reading(values, on.reading.positions), whole, [place]
+        )
+        self.room = (room(*spots(made, on.reading, place)) or Room(0j, 0j)).grown(EDGE)
+
+    def mechanism(self) -> list[Ink]:
+        """The links, which stand on the points of the scheme."""
+        own = {of.slot: mark.slot for of, mark in self.made.points.items()}
+        found = [*self.links.guides(), *self.links.heavy(self.place)]
+        return [
+            stroke._replace(
+                of=tuple(own[slot] for slot in stroke.of if slot in own) or tuple(own.values()),
+                position=self.place,
+            )
+            for stroke in found
+        ]
+
+    def lines(self) -> dict[Mark, Stretch]:
+        """Every line of the scheme with what is drawn of it."""
+        steps = [step for step in self.seen.steps if step.op in (join, parallel, square)]
+        found = {}
+        for step in steps:
+            if step.uses[0].view == CENTRES and (drawn := self._stretch(step.it, step.uses)):
+                found[step.it] = drawn
+        return found
+
+    def _stretch(self, of: Mark, uses: tuple[Mark, ...]) -> Stretch | None:
+        at, way = self.seen.line(of, self.place)
+        if not finite(at, way):
+            return None
+        inside = self.room.part(at, way)
+        own = [one for one in self.made.centres if of in (*one.lines, one.mark) or one.mark in uses]
+        there = {mark for mark in uses if mark.kind is Point and mark.view == CENTRES}
+        there |= {one.mark for one in own if not one.far}
+        along = {k: ((self.seen.point(k, self.place) - at) / way).real for k in there}
+        along = {k: far for k, far in along.items() if np.isfinite(far)}
+        if inside is None or not along:
+            return None
+        low, high = inside
+        near = [far for far in along.values() if low + EDGE / 2 <= far <= high - EDGE / 2]
+        if not near:
+            return None
+        first, last = max(low, min(near) - BEYOND), min(high, max(near) + BEYOND)
+        leads = []
+        for sign, end in ((-1.0, low), (1.0, high)):
+            away = {k for k, far in along.items() if sign * (far - end) > -EDGE / 2}
+            centres = tuple(one for one in own if one.mark in away)
+            infinite = tuple(one for one in own if one.far and one.mark == of)
+            if infinite and sign == (1.0 if (way.imag or way.real) > 0.0 else -1.0):
+                centres += infinite
+            if not centres:
+                continue
+            reach = max(near) if sign > 0 else min(near)
+            tip = end
+            if all(one.far for one in centres):
+                tip = sign * min(sign * end, sign * reach + 2.0 * LEAST)
+            if abs(tip - reach) < LEAST:
+                tip = reach + sign * LEAST
+            first, last = min(first, tip), max(last, tip)
+            leads.append((at + tip * way, sign * way, centres))
+        return Stretch((at + first * way, at + last * way), tuple(leads))
+
+    def letters(self) -> list[Wanted]:
+        """The letters of points and of centres; what stands in one place shares a label."""
+        inside, named = self.room.grown(-EDGE / 2), list[Named]()
+        for of, mark in self.made.points.items():
+            named.append(self._named(mark, markup(of.name)))
+        for one in self.made.centres:
+            if not one.far and inside.holds(self.seen.point(one.mark, self.place)):
+                named.append(self._named(one.mark, one.name))
+        return lettered(shared(named), self.on.heights.point, PAIR)
+
+    def _named(self, mark: Mark, text: str) -> Named:
+        return Named(self.seen.point(mark, self.place), text, (mark.slot,), self.place)
+
+    def circles(self) -> Iterator[tuple[Mark, Rule]]:
+        """The small circles of centres that are no pins."""
+        inside, pins = self.room.grown(-EDGE / 2), {*self.made.points.values()}
+        for one in self.made.centres:
+            spot = self.seen.point(one.mark, self.place) if not one.far else complex("nan")
+            if one.mark not in pins and finite(spot) and inside.holds(spot):
+                yield one.mark, leaving(circle("joint", spot, RADIUS))
+
+    def arrows(self, of: Mark, stretch: Stretch) -> Iterator[tuple[list[Ink], Wanted]]:
+        """The arrows at the ends of a line, with the centres to which they lead."""
+        for tip, way, centres in stretch.leads:
+            names = ", ".join(f"{one.name}{'∞' if one.far else ''}" for one in centres)
+            slots = tuple(dict.fromkeys((of.slot, *(one.mark.slot for one in centres))))
+            head: list[Ink] = [
+                stroke._replace(of=slots, position=self.place)
+                for stroke in arrow(tip - 8.0 * way, tip, "thin")
+            ]
+            text, size = f"→ {names}", self.on.heights.number
+            yield head, Wanted(text, tip, size, 1.0, way, slots, self.place)
+
+
+def draw_scheme(
+    on: Subject,
+    made: Centres,
+    reaches: Mapping[Figure, Reach],
+    place: int,
+    times: float,
+) -> Drawing:
+    """Return the scheme of centres in one position; ``times``: how much larger than the plan of positions."""
+    ink = _Scheme(on, made, reaches, place, times)
+    lines = ink.lines()
+    rules: dict[Mark, Rule] = {k: leaving(line("thin", *one.ends)) for k, one in lines.items()}
+    rules |= dict(ink.circles())
+    traces = figure(ink.seen, showing(rules), helping=False)
+    strokes = [*traces.staying, *ink.mechanism()]
+    wanted = ink.letters()
+    for mark, stretch in lines.items():
+        for head, letter in ink.arrows(mark, stretch):
+            strokes += head
+            near = [k for k in wanted if k.text == letter.text and abs(k.at - letter.at) < TOGETHER]
+            if not near:
+                wanted.append(letter)
+    circled = link_numbers(ink.links, place, strokes, wanted, on.heights.number)
+    strokes += [stroke for one in circled for stroke in one.strokes]
+    found = traces.drawing(on, strokes, wanted, [one.label for one in circled])
+    return found._replace(position=place)

@@ -1,0 +1,260 @@
+"""The centres of all pairs of links: those of pairs, then each where two lines meet (Aronhold and Kennedy)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.geometry import wedge
+from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure_along,
+    meet,
+    parallel,
+    similar,
+    square,
+)
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Line
+from graphic_tmm.chapters.centres import formulas as f
+from graphic_tmm.chapters.centres import words as why
+from graphic_tmm.chapters.kinematics.motion import Motion
+
+Pair = tuple[int, int]
+SAME = 1e-9
+"""Points no farther apart than this share of the mechanism are one; so much is the sine of parallel lines."""
+SQUARE = 0.5
+"""Lines that cross at 30° or more cross well: beyond that nothing is gained."""
+SURE = 1e-3
+"""A mean sine below this: lines that hardly cross at any position asked for."""
+PIN, GUIDE, WHEEL, LINES, PARALLEL = "pin", "guide", "wheel", "lines", "parallel lines"
+NORMALS, IMAGE, RATES = "normals", "image", "rates"
+"""How a centre was found."""
+
+
+class Crossing(NamedTuple):
+    """Two lines for a centre: the links over which they go, how squarely they cross; or are parallel."""
+
+    over: Pair
+    score: float
+    far: bool
+
+
+@dataclass(frozen=True)
+class Centre:
+    """The centre of two links, the frame the second of them: ``mark`` is a Point, or a Line that leads there.
+
+    ``far``: at infinity; ``way``: how it was found; ``over``: the links by which two lines lead to it,
+    ``lines``: these, one of them fewer where one is the line at infinity.
+    """
+
+    links: Pair
+    mark: Mark
+    far: bool
+    way: str
+    over: tuple[int, ...] = ()
+    lines: tuple[Mark, ...] = ()
+
+    @property
+    def name(self) -> str:
+        """Its letter, with the numbers of both links."""
+        return letter_of(self.links)
+
+
+def letter_of(links: Pair) -> str:
+    """Return the letter of a centre: P_{20}; P_{10,2} where a link has two figures."""
+    return f"P_{{{('' if max(links) < 10 else ',').join(map(str, links))}}}"
+
+
+class Network:
+    """The centres while they are being found, each step recorded and tried at the positions of the row."""
+
+    def __init__(
+        self,
+        draft: Draft,
+        links: Sequence[int],
+        frame: int,
+        values: dict[Mark, Any],
+        places: Sequence[int],
+        size: float,
+    ) -> None:
+        """``values``: what is drawn already, at 1 m a mm; ``places``: the positions asked for (indices)."""
+        self.draft, self.frame, self.values = draft, frame, values
+        self.links = [number for number in links if number != frame] + [frame]
+        self.places, self.size = list(places), size
+        self.centres: dict[Pair, Centre] = {}
+        self._lines: dict[frozenset[Mark], Mark] = {}
+
+    def pair(self, first: int, second: int) -> Pair:
+        """Return two links in the order of their letter: the frame stands behind, else the lesser before."""
+        if self.frame in (first, second):
+            return (second if first == self.frame else first), self.frame
+        return min(first, second), max(first, second)
+
+    def of(self, first: int, second: int) -> Centre | None:
+        """Return a centre that is there."""
+        return self.centres.get(self.pair(first, second))
+
+    def finite(self, first: int, second: int) -> Mark | None:
+        """Return the point of a centre; None where it is none, or at infinity."""
+        found = self.of(first, second)
+        return found.mark if found is not None and not found.far else None
+
+    @property
+    def missing(self) -> list[Pair]:
+        """The pairs of links whose centre is not there."""
+        every = (self.pair(*both) for both in combinations(self.links, 2))
+        return [one for one in every if one not in self.centres]
+
+    def draw(self, op: Operation, letter: str, *uses: Mark, **named: Any) -> Mark:
+        """Record a step and try it where what it uses is known."""
+        mark = self.draft.draw(op, letter, *uses, **named)
+        choice = {name: named[name] for name in op.choices if name in named}
+        used = self.draft.uses(mark)
+        if all(one in self.values for one in used):
+            with np.errstate(all="ignore"):
+                self.values[mark] = op.run(*(self.values[one] for one in used), **choice)
+        return mark
+
+    def enter(self, centre: Centre) -> None:
+        """Keep a centre, but for one that is there already."""
+        self.centres.setdefault(centre.links, centre)
+
+    def close(self) -> None:
+        """Find all centres to which two lines lead, the surest first."""
+        while True:
+            found = [(one, links) for links in self.missing if (one := self._best(links))]
+            if not found:
+                return
+            most = max(one.score for one, _ in found)
+            self._meet(*next(pair for pair in found if pair[0].score >= 0.99 * most))
+
+    def _best(self, links: Pair) -> Crossing | None:
+        """Return the two lines to a centre that cross most squarely; None where there are none."""
+        i, j = links
+        there = [k for k in self.links if k not in links and self.of(i, k) and self.of(k, j)]
+        best: Crossing | None = None
+        for over in combinations(there, 2):
+            crossing = self._crossing(*(self._course(i, k, j) for k in over))
+            if crossing is not None and (best is None or crossing[0] > best.score + SAME):
+                best = Crossing(over, *crossing)
+        return best
+
+    def _course(self, i: int, k: int, j: int) -> Line | str | None:
+        """Return the line through P_ik and P_kj in numbers; "infinity", or None where both are one."""
+        first, second = self.centres[self.pair(i, k)], self.centres[self.pair(k, j)]
+        p, q = self.values[first.mark], self.values[second.mark]
+        with np.errstate(all="ignore"):
+            if first.far and second.far:
+                sine = np.abs(wedge(p.along, q.along))
+                return "infinity" if np.nanmax(sine, initial=0.0) > SAME else None
+            if first.far or second.far:
+                return Line(q, p.along) if first.far else Line(p, q.along)
+            way = q - p
+            apart = np.abs(way) > SAME * self.size
+            return Line(p, np.where(apart, way / np.abs(way), np.nan)) if apart.any() else None
+
+    def _crossing(
+        self, first: Line | str | None, second: Line | str | None
+    ) -> tuple[float, bool] | None:
+        """Return how squarely two lines cross, and whether they are parallel; None where they tell nothing."""
+        if first is None or second is None or (isinstance(first, str) and isinstance(second, str)):
+            return None
+        if isinstance(first, str) or isinstance(second, str):
+            return 1.0, True
+        sine = np.abs(wedge(first.along, second.along))[0]
+        if not np.isfinite(sine).any():
+            return None
+        if np.nanmax(sine) <= SAME:
+            off = np.abs(wedge(second.at - first.at, first.along))[0]
+            return (1.0, True) if np.nanmax(off) > SAME * self.size else None
+        own = np.broadcast_to(sine, (max(sine.size, max(self.places) + 1),))[self.places]
+        score = float(np.mean(np.nan_to_num(np.minimum(own, SQUARE)))) / SQUARE
+        return (score, False) if score > SURE else None
+
+    def _meet(self, crossing: Crossing, links: Pair) -> None:
+        i, j = links
+        ends = [
+            (self.centres[self.pair(i, k)], self.centres[self.pair(k, j)]) for k in crossing.over
+        ]
+        says = " × ".join(f"({p.name} {q.name})" for p, q in ends)
+        self.draft.say(f"{letter_of(links)} = {says}")
+        lines = [self.line(p, q) for p, q in ends if not (p.far and q.far)]
+        if crossing.far:
+            mark, way = lines[0], PARALLEL
+        else:
+            mark = self.draw(meet, letter_of(links), *lines, free=True, why=why.TWO_LINES)
+            way = LINES
+        self.enter(Centre(links, mark, crossing.far, way, crossing.over, tuple(lines)))
+
+    def line(self, first: Centre, second: Centre) -> Mark:
+        """Draw the line through two centres, once."""
+        if first.far:
+            first, second = second, first
+        key = frozenset((first.mark, second.mark))
+        if key not in self._lines:
+            end = second.name if second.far else second.mark.name
+            name = f"({first.mark.name}{end})"
+            if not second.far:
+                because = why.KENNEDY_LINE
+                line = self.draw(join, name, first.mark, second.mark, why=because)
+            elif self.draft.uses(second.mark)[0] == first.mark:
+                line = second.mark
+            else:
+                line = self.draw(parallel, name, first.mark, second.mark, why=why.TO_INFINITY)
+            self._lines[key] = line
+        return self._lines[key]
+
+    def by_normals(
+        self, link: int, points: Mapping[Mark, Mark], pole: Mark, *, turned: bool
+    ) -> bool:
+        """Find P_i0 of a link by the velocities of its points; ``points``: to the marks of their images."""
+        letter, ways = letter_of(self.pair(link, self.frame)), dict[Mark, Line]()
+        for k, image in points.items():
+            if image != pole:
+                with np.errstate(all="ignore"):
+                    off = self.values[image] - self.values[pole]
+                    ways[k] = Line(self.values[k], off / np.abs(off))
+        found = [
+            (one[0], pair)
+            for pair in combinations(ways, 2)
+            if (one := self._crossing(*map(ways.get, pair)))
+        ]
+        (_, pair), lines = max(found, default=(0.0, None), key=lambda one: one[0]), list[Mark]()
+        if pair is not None:
+            for k in pair:
+                ray = self.draw(join, f"(p{points[k].name})", pole, points[k], why=why.VELOCITY)
+                op = parallel if turned else square
+                lines.append(self.draw(op, f"(⊥v_{k.name})", k, ray, why=why.NORMAL))
+            mark = self.draw(meet, letter, *lines, free=True, why=why.TWO_NORMALS)
+        else:
+            pair = next((p for p in combinations(points, 2) if points[p[0]] != points[p[1]]), None)
+            if pair is None:
+                return False
+            uses = (*pair, *(points[k] for k in pair), pole)
+            mark = self.draw(similar, letter, *uses, free=True, why=why.IMAGE)
+        way = NORMALS if lines else IMAGE
+        self.enter(Centre(self.pair(link, self.frame), mark, False, way, (), tuple(lines)))
+        return True
+
+    def by_rates(self, plan: Motion) -> None:
+        """Find what is missing where both links turn about centres that are there: by their ω of the plan."""
+        for links in self.missing:
+            ends = [self.finite(k, self.frame) for k in links]
+            rates = [plan.rates[k] for k in links if k in plan.rates]
+            there = [mark for mark in ends if mark is not None]
+            if len(there) < 2 or len(rates) < 2 or there[0] == there[1]:
+                continue
+            called, name = "".join(mark.name for mark in there), letter_of(links)
+            line = self.draw(join, f"({called})", *there, why=why.DIVIDED)
+            whole = self.draw(measure_along, called, *there, line)
+            part = self.draw(f.divided, f"{there[0].name}{name}", whole, *rates)
+            mark = self.draw(lay_off, name, line, part, free=True, why=why.DIVIDED)
+            self.enter(Centre(links, mark, False, RATES, (), (line,)))

@@ -1,0 +1,120 @@
+"""What part of the scheme of centres is drawn, and how large: the mechanism, and the centres near to it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Complexes
+from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
+from graphic_tmm.chapters.centres.task import CENTRES
+from graphic_tmm.fitting.choice import usual_room
+from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
+from graphic_tmm.fitting.sizes import Size, Sizing
+from graphic_tmm.language.said import said
+from graphic_tmm.project import Project
+from graphic_tmm.scene.records import Scene
+
+NEAR = 0.75
+"""Centres are drawn that lie off the mechanism by less than this share of its size; to others arrows lead."""
+NATURAL = 260.0
+"""The most that the scheme takes on an A1 the longer way, mm."""
+_WHY = said(
+    "The mechanism and the centres near to it take {room}; arrows lead to those that are farther off.",
+    room=usual_room(NATURAL),
+)
+
+
+class Room(NamedTuple):
+    """A rectangle, mm or m: its lower left and its upper right corner."""
+
+    low: complex
+    high: complex
+
+    def grown(self, by: float) -> Room:
+        """Return it wider to all sides."""
+        return Room(self.low - complex(by, by), self.high + complex(by, by))
+
+    def holds(self, spot: complex) -> bool:
+        """Whether a place lies in it."""
+        off, back = spot - self.low, self.high - spot
+        return min(off.real, off.imag, back.real, back.imag) >= 0.0
+
+    @property
+    def size(self) -> complex:
+        """Its width and its height."""
+        return self.high - self.low
+
+    def part(self, at: complex, way: complex) -> tuple[float, float] | None:
+        """Return between which distances along a line it lies inside; None where it does not."""
+        corners = np.array([self.low, self.high]) - at
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ends = np.sort([corners.real / way.real, corners.imag / way.imag], axis=1)
+        first, last = float(np.max(ends[:, 0])), float(np.min(ends[:, 1]))
+        return (first, last) if first < last else None
+
+
+def _about(spots: Sequence[complex] | Complexes) -> Room:
+    points = np.asarray(spots)
+    points = points[np.isfinite(points)]
+    return Room(
+        complex(points.real.min(), points.imag.min()), complex(points.real.max(), points.imag.max())
+    )
+
+
+def room(links: Sequence[complex], centres: Sequence[complex]) -> Room | None:
+    """Return what part is drawn; None where the mechanism is not there."""
+    there = [spot for spot in links if np.isfinite(spot)]
+    if not there:
+        return None
+    own = _about(there)
+    near = own.grown(NEAR * max(own.size.real, own.size.imag))
+    return _about([*there, *(spot for spot in centres if np.isfinite(spot) and near.holds(spot))])
+
+
+def spots(made: Centres, reading: Reading, place: int) -> tuple[list[complex], list[complex]]:
+    """Return the points of the mechanism in a position, and the centres that are not at infinity."""
+
+    def at(mark: Mark) -> complex:
+        value: Complexes = reading[mark][0]
+        return complex(value[place if value.size > 1 else 0])
+
+    return [*map(at, made.points.values())], [at(one.mark) for one in made.centres if not one.far]
+
+
+def _fixed(scene: Scene) -> str:
+    return "centres.mu_l" if "centres.mu_l" in scene.told else ""
+
+
+SIZES = Sizing(
+    sizes=(Size(CENTRES, NATURAL, in_mm=True, low=0.6, high=1.3, least=0.4, fixed=_fixed),),
+    depends={CENTRES: lambda scene, role: (CENTRES,)},
+)
+
+
+def reach(project: Project, doubts: Doubts) -> float:
+    """Return how far the mechanism and the centres near to it reach in the positions asked for, m."""
+    made = CENTRES_PLAN.on(project)
+    marks = [*made.points.values(), *(one.mark for one in made.centres if not one.far)]
+    reading = unscaled(project, doubts, marks)
+    most = 0.0
+    for place in made.places:
+        if (found := room(*spots(made, reading, place))) is not None:
+            most = max(most, found.size.real, found.size.imag)
+    return most
+
+
+def _factors(sized: Sized) -> Iterator[ScaleFactor]:
+    made = CENTRES_PLAN.on(sized)
+    yield ScaleFactor(
+        made.mu, "l_{max}", sized.reach[CENTRES], sized.sizes[CENTRES],
+        fixed=made.order.mu_l, lengths=True, why=_WHY,
+    )  # fmt: skip
+
+
+SCALES = ScaleFactors(reach=reach, factors=_factors, keys=lambda project: {CENTRES: "mu_l_centres"})

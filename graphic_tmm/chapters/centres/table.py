@@ -1,0 +1,52 @@
+"""The columns of instantaneous centres: distances, velocities by them; their plan in protocols."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphic_tmm.board.record import Mark, segment_name
+from graphic_tmm.board.values import Length, Reals
+from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
+from graphic_tmm.chapters.centres.task import CENTRES
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
+from graphic_tmm.readers.protocol import Protocols
+
+
+def columns(drawn: Drawn) -> Iterator[Column]:
+    """Yield the distances that are measured, then ratios, ω and v, in the positions asked for."""
+    made = CENTRES_PLAN.of(drawn)
+    if made is None:
+        return
+    count, known = len(drawn.names), set[str]()
+    for step in drawn.construction.steps:
+        if step.it.view == CENTRES and step.it.kind is Length and step.op.reads:
+            mm, value = (_row(made, drawn, step.it, by) for by in (None, made.mu))
+            segment = segment_name(step.it.letter)
+            if segment not in known:
+                known.add(segment)
+                yield Column(CENTRES, segment, step.it.name, "m", np.abs(mm), np.abs(value))
+    for mark in figures(made):
+        row = _row(made, drawn, mark, None)
+        yield Column(CENTRES, segment_name(mark.letter), mark.name, mark.unit, empty(count), row)
+
+
+def figures(made: Centres) -> Iterator[Mark]:
+    """Yield the ratios, the angular velocities and the velocities that the centres give."""
+    for one in made.rotations:
+        own = (one.ratio, None if one.alike else one.omega)
+        yield from (mark for mark in own if mark is not None)
+    yield from (one.value for one in made.speeds)
+
+
+def _row(made: Centres, drawn: Drawn, mark: Mark, by: Mark | None) -> Reals:
+    """Return figures at the positions asked for, NaN at the others."""
+    value, places = drawn.reading.figure(mark, by), list(made.places)
+    whole = np.broadcast_to(value, (len(value), len(drawn.names)))
+    return row_of(whole[:, places], places, len(drawn.names))
+
+
+TABLE = Tabled(columns=columns)
+PROTOCOL = Protocols(views=lambda project: {CENTRES: (CENTRES,)})
