@@ -1,0 +1,52 @@
+"""The columns of centrodes: coordinates of the instantaneous centres, arcs of both curves; the protocol."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from graphic_tmm.board.record import Mark, segment_name
+from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
+from graphic_tmm.chapters.centrodes.task import CENTRODES
+from graphic_tmm.drawn import Drawn, Results, results_of
+from graphic_tmm.project import Project
+from graphic_tmm.readers.columns import Column, Tabled, row_of
+from graphic_tmm.readers.protocol import Protocols
+
+
+def lengths(made: Centrodes) -> tuple[Mark, ...]:
+    """Return what is read in every position: P on the frame, P in the link, both arcs."""
+    fixed, moving = made.sides
+    return fixed.x, fixed.y, moving.x, moving.y, fixed.arc, moving.arc
+
+
+def link_columns(drawn: Drawn, made: Centrodes) -> Iterator[Column]:
+    """Yield the columns of one link's centrodes."""
+    count, reading = len(drawn.names), drawn.reading
+    for mark in lengths(made):
+        mm, value = (reading.figure(mark, by) for by in (None, made.mu))
+        rows = row_of(mm, range(count), count), row_of(value, range(count), count)
+        yield Column(made.view, segment_name(mark.letter), mark.name, "m", *rows)
+
+
+def _columns(drawn: Drawn) -> Iterator[Column]:
+    for made in CENTRODES_PLAN.of(drawn) or ():
+        yield from link_columns(drawn, made)
+
+
+def marks(drawn: Drawn) -> dict[str, Mark]:
+    """Return the angles between both tangents, by their names among the results."""
+    return {
+        f"centrodes_off_{made.moving.link}": made.off for made in CENTRODES_PLAN.of(drawn) or ()
+    }
+
+
+def _results(drawn: Drawn) -> Results:
+    return results_of(drawn, marks(drawn))
+
+
+def _views(project: Project) -> dict[str, tuple[str, ...]]:
+    return {CENTRODES: tuple(made.view for made in CENTRODES_PLAN.of(project) or ())}
+
+
+TABLE = Tabled(columns=_columns, results=_results, marks=marks)
+PROTOCOL = Protocols(views=_views)
