@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -12,12 +12,36 @@ from graphic_tmm.chapters.centrodes.scales import window_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
+from graphic_tmm.language.said import said
 from graphic_tmm.readers.findings import Warned
 
 SLIP = 0.25
-"""Arcs are as equal as the positions can tell if they differ by this share of what both are longer than chords."""
+"""Arcs that differ by no more than this share of what both are longer than their chords are as good as equal."""
 ANGLE = 10.0
-"""Tangents that are drawn farther apart than this are told, degrees: the curve has too few points there."""
+"""Tangents that are drawn farther apart than this are told, degrees."""
+LOST = said(
+    "centrodes: in position {listed} the normals of link {link} are parallel: it shifts for a moment, its "
+    "instantaneous centre is at infinity",
+    "centrodes: in positions {listed} the normals of link {link} are parallel: it shifts for a moment, its "
+    "instantaneous centre is at infinity",
+)
+NOTHING = said(
+    "centrodes: in position {name} nothing of link {link} touches: write another position for at"
+)
+OFF = said(
+    "centrodes: the instantaneous centre of link {link} lies off the drawing in position {listed}: an arrow "
+    "points to it",
+    "centrodes: the instantaneous centre of link {link} lies off the drawing in positions {listed}: arrows "
+    "point to it",
+)
+SLIPS = said(
+    "centrodes: behind position {listed} the arcs of link {link} differ: take more positions",
+    "centrodes: behind positions {listed} the arcs of link {link} differ: take more positions",
+)
+APART = said(
+    "centrodes: where both centrodes of link {link} touch their tangents are {angle}° apart: take more "
+    "positions, or another one for at"
+)
 
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
@@ -27,52 +51,20 @@ def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
 
 def _of_link(drawn: Drawn, made: Centrodes, language: str) -> Iterator[str]:
     _, link, names, reading = speaking(language), made.moving.link, drawn.names, drawn.reading
-
-    def listed(places: Iterable[int]) -> str:
-        return ", ".join(names[int(k)] for k in places)
-
     centres = _row(reading[made.fixed.centre], len(names))
-    known = np.isfinite(_row(reading[made.moving.points[0]], len(names)))
-    lost = np.flatnonzero(known & ~np.isfinite(centres))
-    if lost.size:
-        yield _(
-            "centrodes: link {link} only shifts for a moment, its normals are parallel and its instantaneous "
-            "centre is at infinity or unknown: position {listed}",
-            "centrodes: link {link} only shifts for a moment, its normals are parallel and its instantaneous "
-            "centre is at infinity or unknown: positions {listed}",
-            n=lost.size, link=link, listed=listed(lost),
-        )  # fmt: skip
-    if made.touching in lost:
-        yield _(
-            "centrodes: in position {name} the centrodes of link {link} touch at infinity: write another "
-            "position for at",
-            name=names[made.touching], link=link,
-        )  # fmt: skip
-    off = np.flatnonzero(np.isfinite(centres) & ~window_of(made, reading).holds(centres))
-    if off.size:
-        yield _(
-            "centrodes: the instantaneous centre of link {link} lies off the drawing, an arrow points to it: "
-            "position {listed}",
-            "centrodes: the instantaneous centre of link {link} lies off the drawing, arrows point to it: "
-            "positions {listed}",
-            n=off.size, link=link, listed=listed(off),
-        )  # fmt: skip
-    slips = np.flatnonzero(slipping(drawn, made))
-    if slips.size:
-        yield _(
-            "centrodes: behind position {listed} the arcs of both centrodes of link {link} differ by more than "
-            "the curves tell: take more positions",
-            "centrodes: behind positions {listed} the arcs of both centrodes of link {link} differ by more than "
-            "the curves tell: take more positions",
-            n=slips.size, link=link, listed=listed(slips),
-        )  # fmt: skip
+    there, pins = np.isfinite(centres), _row(reading[made.moving.points[0]], len(names))
+    off = there & ~window_of(made, reading).holds(centres)
+    told = ((LOST, ~there & np.isfinite(pins)), (OFF, off), (SLIPS, slipping(drawn, made)))
+    for says, where in told:
+        places = np.flatnonzero(where)
+        if places.size:
+            listed = ", ".join(names[k] for k in places)
+            yield _(says, n=places.size, link=link, listed=listed)
+    if not there[made.touching]:
+        yield _(NOTHING, name=names[made.touching], link=link)
     angle = abs(float(reading[made.off][0, 0]))
     if angle > ANGLE:
-        yield _(
-            "centrodes: the tangents of both centrodes of link {link} are {angle}° apart where they touch: take "
-            "more positions, or another one for at",
-            link=link, angle=number(angle, language, 2),
-        )  # fmt: skip
+        yield _(APART, link=link, angle=number(angle, language, 2))
 
 
 def _row(values: Complexes, count: int) -> Complexes:
@@ -82,7 +74,8 @@ def _row(values: Complexes, count: int) -> Complexes:
 def slipping(drawn: Drawn, made: Centrodes) -> np.ndarray:
     """Return behind which positions the arcs of both centrodes are not equal.
 
-    A curve through few points is known to a share of what it is longer than its chords, a reading to a division.
+    A curve through few points is known to a share of what it is longer than its chords, a reading to a
+    division of the ruler.
     """
     reading, row = drawn.reading, made.count
     arcs, longer = list[Reals](), np.zeros(row)

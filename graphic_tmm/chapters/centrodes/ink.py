@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -26,8 +26,8 @@ FIXED, MOVING = "main", "dashed"
 """Pens of both centrodes."""
 DOT = 0.7
 """Radius of the dot of a centre, mm."""
-PIVOT, PIN = 3.0, 2.0
-"""How far the symbols of a pivot and of a pin reach, mm."""
+PIVOT = 3.0
+"""How far the symbols of pivots and pins reach, mm."""
 TANGENT = 22.0
 """Half the length of the common tangent, mm."""
 AWAY, NICK = 9.0, 2.5
@@ -63,16 +63,35 @@ class CentrodesInk(Seen):
         for part in self.branches(side):
             yield Bezier(pen, part, side.curve.name)
 
-    def pose(self, side: Side, k: int) -> Callable[[complex], complex]:
-        """Return where places of a body as it stands in the drawing are in a position."""
+    def pose(self, side: Side, k: int) -> tuple[complex, complex]:
+        """Return turn and shift that take places of a body from where it stands in the drawing to a position."""
         if not side.points:
-            return lambda z: z
-        (a, b), (p, q) = (
-            [self.point(mark, at) for mark in marks]
-            for marks, at in ((side.stood, 0), (side.points, k))
-        )
+            return 1.0 + 0j, 0j
+        a, b = (self.point(mark, 0) for mark in side.stood)
+        p, q = (self.point(mark, k) for mark in side.points)
         turn = (q - p) / (b - a)
-        return lambda z: p + (z - a) * turn
+        return turn, p - a * turn
+
+    def rolled(self, k: int) -> Iterator[Ink]:
+        """The moving centrode, link, normals and centre in a position, seen from what it rolls on."""
+        made = self.made
+        (turn, shift), (own, far) = (self.pose(side, k) for side in made.sides)
+        if not finite(turn, shift, own, far):
+            return
+
+        def there(spot: complex) -> complex:
+            return (spot - shift) / turn
+
+        for part in self.branches(made.moving):
+            controls = tuple(there(own * z + far) for z in part)
+            yield Bezier(MOVING, controls, made.moving.curve.name)
+        pins, centre = [self.point(m, k) for m in made.moving.points], self.point(made.centre, k)
+        yield line("main", *map(there, pins))
+        for pin in pins:
+            yield from turning_pair(there(pin))
+            yield from self.straight("thin", there(pin), there(centre))
+        if self.holds(there(centre)):
+            yield circle(FIXED, there(centre), DOT, filled=True)
 
     def normals(self, k: int) -> Iterator[Ink]:
         """Both normals in a position, from what they begin at to the centre."""
@@ -100,7 +119,8 @@ def draw_centrodes(
             dot = [circle(FIXED, spot, DOT, filled=True) if filled else circle("thin", spot, DOT)]
             strokes += body(dot if ink.holds(spot) else (), "centre", [side.centre], k)
     strokes += body(ink.normals(at), "normal", made.normals, at)
-    strokes += body(_bar(ink, at), "link", made.moving.points, at)
+    for side in made.sides:
+        strokes += body(_bar(ink, side, at), "link", side.points, at)
     outside = [_outside(ink, k, names[k], on.heights.number) for k in places]
     strokes += [stroke for drawn, _ in outside for stroke in drawn]
     wanted = [*_letters(ink, names, on), *(one for _, some in outside for one in some)]
@@ -154,16 +174,23 @@ def _manner(ink: CentrodesInk) -> Manner:
     return Manner(rules, lambda seen, step: step.it in stays, curves)
 
 
+def draw_fixed(ink: CentrodesInk) -> list[Ink]:
+    """Return what stands as the moving centrode rolls: the fixed one, pivots."""
+    side = ink.made.fixed
+    pivots = () if side.points else _pivots(ink)
+    return [*body(ink.curve(side, FIXED), "curve", [side.curve]), *pivots]
+
+
 def _pivots(ink: CentrodesInk) -> Iterator[Ink]:
     for mark in ink.made.pivots:
         spot = ink.fixed_place(mark)
         yield from body(fixed_pivot(spot) if ink.holds(spot) else (), "pivot", [mark])
 
 
-def _bar(ink: CentrodesInk, k: int) -> Iterator[Ink]:
-    """The two points of the rolling link in a position, and the link between them."""
-    spots = [ink.point(mark, k) for mark in ink.made.moving.points]
-    if finite(*spots):
+def _bar(ink: CentrodesInk, side: Side, k: int) -> Iterator[Ink]:
+    """The two points of a link in a position, and the link between them."""
+    spots = [ink.point(mark, k) for mark in side.points]
+    if spots and finite(*spots):
         yield line("main", *spots)
         for spot in spots:
             yield from turning_pair(spot)
@@ -188,14 +215,11 @@ def _outside(ink: CentrodesInk, k: int, name: str, size: float) -> tuple[list[In
 
 def _letters(ink: CentrodesInk, names: Sequence[str], on: Subject) -> Iterator[Wanted]:
     made, high = ink.made, on.heights
-    for mark in made.pivots:
-        spot = ink.fixed_place(mark)
-        if ink.holds(spot):
-            yield Wanted(mark.name, spot, high.point, PIVOT, of=(mark.slot,))
-    for mark in made.moving.points:
-        spot = ink.point(mark, made.touching)
-        if ink.holds(spot):
-            yield Wanted(mark.name, spot, high.point, PIN, of=(mark.slot,), position=made.touching)
+    at, ends = made.touching, [mark for side in made.sides for mark in side.points]
+    pins = [Named(ink.point(m, at), m.name, (m.slot,), at) for m in ends if m not in made.pivots]
+    pins += [Named(ink.fixed_place(mark), mark.name, (mark.slot,)) for mark in made.pivots]
+    pins = shared(one for one in pins if ink.holds(one.at))
+    yield from lettered(pins, high.point, PIVOT)
     spots = [
         Named(spot, f"{names[k]}{prime}", (side.centre.slot,), k)
         for side, prime in ((made.fixed, ""), (made.moving, "′"))

@@ -22,6 +22,8 @@ from graphic_tmm.language.said import said
 
 _GAUSS = np.polynomial.legendre.leggauss(8)
 """Places and weights by which the length of an arc of a curve is summed up."""
+FAINT = 1e-3
+"""Sine of the angle at which normals meet as good as nowhere: a thousand times as far as they are apart."""
 _CENTRODE = said(
     "The centres of all positions make the centrode; where the centre runs to infinity between two positions "
     "it goes on in another branch."
@@ -86,36 +88,34 @@ def relative_rate(of: Number, on: Number) -> Number:
     """{of} − {on}"""
 
 
-@operation(
-    symbol=CURVE,
-    across=True,
-    why=_CENTRODE,
-)
+@operation(symbol=CURVE, across=True, why=_CENTRODE)
 def branched_curve(through: Point, first: Line, second: Line, *, row: int, closed: int) -> Curve:
     """Through {through} draw the smooth curve {it}; it breaks where {first} and {second} pass parallel.
 
     Lines that come to lie on each other, as at a change point, leave the centre between them.
     """
-    sine = np.sign(wedge(first.along, second.along))
+    sine = wedge(first.along, second.along)
     reach = np.sign(wedge(second.at - first.at, second.along))
-    return _branches(through[:, :row], sine, reach, bool(closed))
+    return _branches(through, sine, np.sign(sine), reach, row=row, closed=closed)
 
 
-@operation(
-    symbol=CURVE,
-    across=True,
-    why=_CENTRODE,
-)
-def branched_by_rate(through: Point, rate: Number, *, row: int, closed: int) -> Curve:
-    """Through {through} draw the smooth curve {it}; it breaks where {rate} changes its sign."""
-    return _branches(through[:, :row], np.sign(rate), np.ones((1, 1)), bool(closed))
+@operation(symbol=CURVE, across=True, why=_CENTRODE)
+def branched_by_rate(
+    through: Point, first: Line, second: Line, rate: Number, *, row: int, closed: int
+) -> Curve:
+    """Through {through}, where {first} and {second} meet, draw {it}; it breaks where {rate} turns round."""
+    sine = wedge(first.along, second.along)
+    return _branches(through, sine, np.sign(rate), np.ones((1, 1)), row=row, closed=closed)
 
 
-def _branches(points: Complexes, sides: Reals, reach: Reals, closed: bool) -> Curve:
+def _branches(
+    through: Complexes, sine: Reals, sides: Reals, reach: Reals, *, row: int, closed: int
+) -> Curve:
     """Return the curve with a knot in every position and one half way behind it, none where it breaks.
 
-    It breaks where ``sides`` change their sign and ``reach`` does not.
+    It breaks where ``sides`` change their sign and ``reach`` does not, and at a centre as good as at infinity.
     """
+    points = np.where(np.abs(sine) > FAINT, through, np.nan)[:, :row]
     trials, row = points.shape
     along = [one[:, :row] if one.shape[1] > 1 else one for one in (sides, reach)]
     sides, reach = (np.broadcast_to(one, (trials, row)) for one in along)
@@ -125,7 +125,7 @@ def _branches(points: Complexes, sides: Reals, reach: Reals, closed: bool) -> Cu
         same = [one[k] * np.roll(one[k], -1) for one in (sides, reach)]
         goes_on = (same[0] > 0.0) | (same[0] * same[1] > 0.0)
         goes_on &= np.isfinite(points[k]) & np.isfinite(np.roll(points[k], -1))
-        goes_on[-1] &= closed
+        goes_on[-1] &= bool(closed)
         knots[k, ::2] = points[k]
         if goes_on.all():
             tangents[k, ::2] = periodic(points[k])
@@ -137,7 +137,7 @@ def _branches(points: Complexes, sides: Reals, reach: Reals, closed: bool) -> Cu
         knots[k, 1::2] = np.where(goes_on, (p + q) / 2.0 + (m - n) / 8.0, np.nan)
         tangents[k, 1::2] = np.where(goes_on, 0.75 * (q - p) - (m + n) / 8.0, np.nan)
     tangents[:, ::2] /= 2.0
-    return Curve(knots, tangents, closed)
+    return Curve(knots, tangents, bool(closed))
 
 
 def _runs(goes_on: np.ndarray) -> list[np.ndarray]:

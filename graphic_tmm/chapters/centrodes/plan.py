@@ -143,7 +143,8 @@ class _Plan:
         on = self.on.link.number
         self.index = f"{number}{on}" if max(number, on) < 10 else f"{number},{on}"
         self.known: dict[Mark, Mark] = {}
-        self.draft.open(f"{CENTRODES} {number}")
+        named = f"{number}" if self.on is self.frame else f"{number}/{on}"
+        self.draft.open(f"{CENTRODES} {named}")
         self.mu = self.draft.scale("μ_l", "m/mm")
 
     def draw(self) -> Centrodes:
@@ -159,7 +160,9 @@ class _Plan:
                 return draft.draw(
                     o.branched_curve, letter, through, *normals, row=row, closed=closed
                 )
-            return draft.draw(o.branched_by_rate, letter, through, rate, row=row, closed=closed)
+            return draft.draw(
+                o.branched_by_rate, letter, through, *normals, rate, row=row, closed=closed
+            )
 
         own = () if self.on is self.frame else tuple(self.on.link.points)[:2]
         fixed = self.side(self.on, own, centre, ("x", "y"), curve)

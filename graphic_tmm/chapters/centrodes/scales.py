@@ -61,6 +61,6 @@ SCALES = ScaleFactors(
     reach=_reach,
     factors=_factors,
     keys=lambda project: {
-        made.view: f"mu_l_{made.view.replace(' ', '_')}" for made in CENTRODES_PLAN.on(project)
+        made.view: f"mu_l_{CENTRODES}_{made.moving.link}" for made in CENTRODES_PLAN.on(project)
     },
 )

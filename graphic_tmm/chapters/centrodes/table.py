@@ -20,9 +20,9 @@ def lengths(made: Centrodes) -> tuple[Mark, ...]:
 
 
 def link_columns(drawn: Drawn, made: Centrodes) -> Iterator[Column]:
-    """Yield the columns of one link's centrodes."""
+    """Yield the columns of one link's centrodes; arcs are there only between the positions of a sheet."""
     count, reading = len(drawn.names), drawn.reading
-    for mark in lengths(made):
+    for mark in (one for one in lengths(made) if one in reading):
         mm, value = (reading.figure(mark, by) for by in (None, made.mu))
         rows = row_of(mm, range(count), count), row_of(value, range(count), count)
         yield Column(made.view, segment_name(mark.letter), mark.name, "m", *rows)

@@ -44,7 +44,10 @@ def _link(drawn: Drawn, made: Centrodes, lettered: bool) -> list[Drawing]:
     table = result_table(
         CENTRODES, [*link_columns(drawn, made)], drawn.names, language, heights=high, upright=True
     )
-    return [with_caption(drawing, on, lettered, *lines), table._replace(name=f"table-{made.view}")]
+    return [
+        with_caption(drawing, on, lettered, *lines),
+        table._replace(name=f"table-{made.view}".replace(" ", "-")),
+    ]
 
 
 def _named_marks(project: Project) -> dict[tuple[str, str], Mark]:

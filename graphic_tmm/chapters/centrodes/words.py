@@ -14,12 +14,16 @@ CAPTIONS: dict[str, str] = {
 }
 
 _CALLED = said("Centrodes of link {number}")
+_AGAINST = said("Centrodes of link {number} on link {on}")
 
 
 def called(view: str, speech: Speech) -> str:
     """Return what the centrodes of a link are called; "" for other views."""
-    kind, _, number = view.partition(" ")
-    return speech(_CALLED, number=number) if kind == CENTRODES and number else ""
+    kind, _, named = view.partition(" ")
+    number, _, on = named.partition("/")
+    if kind != CENTRODES or not number:
+        return ""
+    return speech(_AGAINST, number=number, on=on) if on else speech(_CALLED, number=number)
 
 
 _OFF = said("angle of the tangents, link {number}")
