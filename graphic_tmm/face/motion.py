@@ -50,8 +50,8 @@ def motion(
         at the ends of its travel; one by the angle or by the position is read off its diagram along straight
         lines, gas off the indicator diagram as drawn. They go with the cycle, which begins at the zero
         position; its angles go on to 720° where it takes two turns. "centrodes": the instantaneous centres of
-        the links that its section names. Or "cam", "arc_cam", "planetary", "gears": the places are then angles of the cam from where its phases, or the rise, begin, or of the shaft that
-        drives.
+        the links that its section names. Or "cam", "arc_cam", "planetary", "gears": the places are then angles
+        of the cam from where its phases, or the rise, begin, or of the shaft that drives.
     exact
         Read without the ruler's rounding.
     fast

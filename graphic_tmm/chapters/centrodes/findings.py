@@ -16,7 +16,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.readers.findings import Warned
 
 SLIP = 0.25
-"""Arcs that differ by no more than this share of what both are longer than their chords are as good as equal."""
+"""Arcs may differ by this share of what both are longer than their chords."""
 ANGLE = 10.0
 """Tangents that are drawn farther apart than this are told, degrees."""
 LOST = said(

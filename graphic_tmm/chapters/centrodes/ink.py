@@ -64,7 +64,7 @@ class CentrodesInk(Seen):
             yield Bezier(pen, part, side.curve.name)
 
     def pose(self, side: Side, k: int) -> tuple[complex, complex]:
-        """Return turn and shift that take places of a body from where it stands in the drawing to a position."""
+        """Return the turn and the shift of a body from where it stands in the drawing to a position."""
         if not side.points:
             return 1.0 + 0j, 0j
         a, b = (self.point(mark, 0) for mark in side.stood)
@@ -220,6 +220,8 @@ def _letters(ink: CentrodesInk, names: Sequence[str], on: Subject) -> Iterator[W
     pins += [Named(ink.fixed_place(mark), mark.name, (mark.slot,)) for mark in made.pivots]
     pins = shared(one for one in pins if ink.holds(one.at))
     yield from lettered(pins, high.point, PIVOT)
+    spot, along = ink.line(made.fixed.tangent, 0)
+    yield Wanted("τ", spot + TANGENT * along, high.number, of=(made.fixed.tangent.slot,))
     spots = [
         Named(spot, f"{names[k]}{prime}", (side.centre.slot,), k)
         for side, prime in ((made.fixed, ""), (made.moving, "′"))

@@ -30,11 +30,11 @@ SIZES = Sizing(
 
 def window_of(made: Centrodes, reading: Reading) -> Window:
     """Return the window of a link's centrodes: in mm of the sheet, or in m where nothing is to scale."""
-    points = [one for side in made.sides for one in (*side.points, *side.stood)]
+    still = [*made.pivots, *(mark for side in made.sides for mark in side.stood)]
+    moved = [mark for side in made.sides for mark in side.points]
     centres = [side.centre for side in made.sides]
     return window(
-        [reading[mark][0] for mark in (*made.pivots, *points)],
-        [reading[mark][0] for mark in centres],
+        *([reading[mark][0] for mark in marks] for marks in ([*still, *moved], still, centres))
     )
 
 

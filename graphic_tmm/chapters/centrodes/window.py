@@ -84,14 +84,18 @@ def _about(spots: Complexes) -> Window:
     return Window(complex(x.min(), y.min()), complex(x.max(), y.max()))
 
 
-def window(mechanism: Iterable[Complexes], centres: Iterable[Complexes]) -> Window:
-    """Return what is shown: the places of the ``mechanism``, and those ``centres`` that are not too far."""
-    own = np.concatenate([np.ravel(one) for one in mechanism])
-    base = _about(own[np.isfinite(own)])
-    near = base.grown(FAR * base.reach)
-    far = np.concatenate([np.ravel(one) for one in centres])
-    far = far[np.isfinite(far)]
+def window(
+    mechanism: Iterable[Complexes], shown: Iterable[Complexes], centres: Iterable[Complexes]
+) -> Window:
+    """Return what is seen: what is ``shown``, and those ``centres`` that the ``mechanism`` is not far from."""
+    base, own = _about(_flat(mechanism)), _flat(shown)
+    near, far = base.grown(FAR * base.reach), _flat(centres)
     x = np.clip(far.real, near.low.real, near.high.real)
     y = np.clip(far.imag, near.low.imag, near.high.imag)
-    whole = _about(np.concatenate([[base.low, base.high], x + 1j * y]))
+    whole = _about(np.concatenate([own, x + 1j * y]))
     return whole.grown(EDGE * whole.reach)
+
+
+def _flat(spots: Iterable[Complexes]) -> Complexes:
+    found = np.concatenate([np.ravel(one) for one in spots])
+    return np.asarray(found[np.isfinite(found)])
