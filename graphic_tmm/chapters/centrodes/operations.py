@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.geometry import degrees, unit, wedge
+from graphic_tmm.board.geometry import degrees, unit
 from graphic_tmm.board.grammar import ANGLE, CURVE, SLIDE, SUPPORT, operation
 from graphic_tmm.board.operations.curve import natural, neighbours, periodic
 from graphic_tmm.board.values import (
@@ -23,7 +23,7 @@ from graphic_tmm.language.said import said
 _GAUSS = np.polynomial.legendre.leggauss(8)
 """Places and weights by which the length of an arc of a curve is summed up."""
 FAINT = 1e-3
-"""Sine of the angle at which normals meet as good as nowhere: a thousand times as far as they are apart."""
+"""A link that turns at this share of its usual rate has its centre as good as at infinity."""
 _CENTRODE = said(
     "The centres of all positions make the centrode; where the centre runs to infinity between two positions "
     "it goes on in another branch."
@@ -89,63 +89,65 @@ def relative_rate(of: Number, on: Number) -> Number:
 
 
 @operation(symbol=CURVE, across=True, why=_CENTRODE)
-def branched_curve(through: Point, first: Line, second: Line, *, row: int, closed: int) -> Curve:
-    """Through {through} draw the smooth curve {it}; it breaks where {first} and {second} pass parallel.
+def branched_curve(through: Point, distance: Length, *, row: int, closed: int) -> Curve:
+    """Through {through} draw the smooth curve {it}; it breaks where {distance} changes its sign.
 
-    Lines that come to lie on each other, as at a change point, leave the centre between them.
+    ``distance``: from an evenly driven pin to the centre, which is as 1/ω.
     """
-    sine = wedge(first.along, second.along)
-    reach = np.sign(wedge(second.at - first.at, second.along))
-    return _branches(through, sine, np.sign(sine), reach, row=row, closed=closed)
+    with np.errstate(all="ignore"):
+        return _branches(through, 1.0 / distance, row, closed)
 
 
 @operation(symbol=CURVE, across=True, why=_CENTRODE)
-def branched_by_rate(
-    through: Point, first: Line, second: Line, rate: Number, *, row: int, closed: int
-) -> Curve:
-    """Through {through}, where {first} and {second} meet, draw {it}; it breaks where {rate} turns round."""
-    sine = wedge(first.along, second.along)
-    return _branches(through, sine, np.sign(rate), np.ones((1, 1)), row=row, closed=closed)
+def branched_by_rate(through: Point, rate: Number, *, row: int, closed: int) -> Curve:
+    """Through {through} draw the smooth curve {it}; it breaks where the link turns round, as {rate} tells."""
+    return _branches(through, rate, row, closed)
 
 
-def _branches(
-    through: Complexes, sine: Reals, sides: Reals, reach: Reals, *, row: int, closed: int
-) -> Curve:
+def _branches(through: Complexes, weight: Reals, row: int, closed: int) -> Curve:
     """Return the curve with a knot in every position and one half way behind it, none where it breaks.
 
-    It breaks where ``sides`` change their sign and ``reach`` does not, and at a centre as good as at infinity.
+    A centre is a fraction: times its ``weight``, ω to any scale, it goes smoothly on even past infinity, where
+    that changes its sign. So, where it does, splines of both give its tangents, however far it is.
     """
-    points = np.where(np.abs(sine) > FAINT, through, np.nan)[:, :row]
-    trials, row = points.shape
-    along = [one[:, :row] if one.shape[1] > 1 else one for one in (sides, reach)]
-    sides, reach = (np.broadcast_to(one, (trials, row)) for one in along)
-    knots = np.full((trials, 2 * row), np.nan + 1j * np.nan)
+    through, weight = np.broadcast_arrays(through, weight)
+    points, weights = through[:, :row], weight[:, :row]
+    usual = np.median(np.nan_to_num(np.abs(weights)), axis=1, keepdims=True)
+    points = np.where(np.abs(weights) > FAINT * usual, points, np.nan)
+    knots = np.full((points.shape[0], 2 * row), np.nan + 1j * np.nan)
     tangents = knots.copy()
-    for k in range(trials):
-        same = [one[k] * np.roll(one[k], -1) for one in (sides, reach)]
-        goes_on = (same[0] > 0.0) | (same[0] * same[1] > 0.0)
-        goes_on &= np.isfinite(points[k]) & np.isfinite(np.roll(points[k], -1))
+    for trial, (p, w) in enumerate(zip(points, weights, strict=True)):
+        goes_on = w * np.roll(w, -1) > 0.0
+        goes_on &= np.isfinite(p) & np.isfinite(np.roll(p, -1))
         goes_on[-1] &= bool(closed)
-        knots[k, ::2] = points[k]
-        if goes_on.all():
-            tangents[k, ::2] = periodic(points[k])
-        else:
-            for run in _runs(goes_on):
-                tangents[k, 2 * run] = natural(points[k, run])
-        p, m = points[k], tangents[k, ::2]
-        q, n = np.roll(p, -1), np.roll(m, -1)
-        knots[k, 1::2] = np.where(goes_on, (p + q) / 2.0 + (m - n) / 8.0, np.nan)
-        tangents[k, 1::2] = np.where(goes_on, 0.75 * (q - p) - (m + n) / 8.0, np.nan)
-    tangents[:, ::2] /= 2.0
-    return Curve(knots, tangents, bool(closed))
+        w = np.where(np.isfinite(p), w, np.nan)
+        if goes_on[: row if closed else -1].all():
+            w = np.ones(row)
+        with np.errstate(all="ignore"):
+            top_rate, top_middle, top_slope = _halved(p * w, bool(closed))
+            low_rate, low_middle, low_slope = _halved(w + 0j, bool(closed))
+            middle = np.where(goes_on, top_middle / low_middle, np.nan)
+            knots[trial, ::2], knots[trial, 1::2] = p, middle
+            tangents[trial, ::2] = (top_rate - p * low_rate) / w / 2.0
+            tangents[trial, 1::2] = (top_slope - middle * low_slope) / low_middle / 2.0
+    chords = np.abs(np.roll(knots, -1, axis=1) - knots)
+    longest = 3.0 * np.fmin(chords, np.roll(chords, 1, axis=1))
+    size = np.abs(tangents)
+    shorter = np.where(size > longest, longest / np.where(size > 0.0, size, 1.0), 1.0)
+    return Curve(knots, np.where(np.isfinite(longest), tangents * shorter, np.nan), bool(closed))
 
 
-def _runs(goes_on: np.ndarray) -> list[np.ndarray]:
-    """Return the runs of positions that one branch goes through, in order."""
-    row = goes_on.size
-    there = np.repeat(True, 2 * row)
-    there[1::2] = goes_on
-    return [run[::2] // 2 for run in neighbours(there)] if row > 1 else []
+def _halved(values: Complexes, closed: bool) -> tuple[Complexes, ...]:
+    """Return the rates of a smooth quantity by position; it and its rates half way to the next position."""
+    rates, there = np.full(values.shape, np.nan + 0j), np.isfinite(values)
+    if closed and there.all():
+        rates = periodic(values)
+    else:
+        for run in neighbours(there, closed=closed):
+            rates[run] = natural(values[run])
+    q, n = np.roll(values, -1), np.roll(rates, -1)
+    middle = (values + q) / 2.0 + (rates - n) / 8.0
+    return rates, middle, 1.5 * (q - values) - (rates + n) / 4.0
 
 
 @operation(

@@ -48,7 +48,7 @@ class Centrodes:
 
     ``centre``: P in every position, where both ``normals`` meet; ``touching``: the position (index) in which
     the moving centrode is drawn, ``touch``: P there, ``off``: the angle between both tangents. ``pivots``: of
-    the frame; ``count`` positions make the row.
+    the frame; ``count`` positions make the row. ``index``: of P, the numbers of both links.
     """
 
     view: str
@@ -62,6 +62,7 @@ class Centrodes:
     off: Mark
     pivots: tuple[Mark, ...]
     count: int
+    index: str
 
     @property
     def sides(self) -> tuple[Side, Side]:
@@ -73,15 +74,19 @@ CENTRODES_PLAN: Recorded[tuple[Centrodes, ...]] = Recorded(CENTRODES)
 
 
 class Hold(NamedTuple):
-    """How a point of a link moves on the frame: about a ``pivot``, or straight with the link ``slider``."""
+    """How a point of a link moves on the frame: about a ``pivot``, or straight with the link ``slider``.
 
-    letter: str
+    ``even``: whether it is the pin of the crank whose angles are the row.
+    """
+
+    point: str
     pivot: str = ""
     slider: int = 0
+    even: bool = False
 
 
 def holds(mechanism: Mechanism, link: Link) -> list[Hold]:
-    """Return the points of a link whose normals are there without a plan of velocities."""
+    """Return the points of a link whose normals need no plan of velocities, one driven evenly first."""
     fixed, found = mechanism.frame.points, dict[str, Hold]()
     driven = {drive.link for drive in mechanism.drives}
     for letter in link.points:
@@ -90,12 +95,13 @@ def holds(mechanism: Mechanism, link: Link) -> list[Hold]:
                 continue
             pivot = next((one for one in other.points if one in fixed), None)
             if pivot is not None:
-                found.setdefault(letter, Hold(letter, pivot))
+                even = other.number == mechanism.drive.link
+                found.setdefault(letter, Hold(letter, pivot, even=even))
             elif other.number not in driven and any(
                 slide.on == mechanism.frame.number for slide in other.slides
             ):
                 found.setdefault(letter, Hold(letter, slider=other.number))
-    return list(found.values())
+    return sorted(found.values(), key=lambda hold: not hold.even)
 
 
 def needs(scene: Scene) -> dict[str, bool]:
@@ -104,7 +110,8 @@ def needs(scene: Scene) -> dict[str, bool]:
     if order is None or mechanism is None:
         return {}
     links = [mechanism.by_number[n] for n in order.links if n in mechanism.by_number]
-    straight = _on_frame(mechanism, order) and all(len(holds(mechanism, n)) > 1 for n in links)
+    held = [holds(mechanism, link) for link in links]
+    straight = _on_frame(mechanism, order) and all(len(one) > 1 and one[0].even for one in held)
     return {} if straight else {VELOCITIES: True}
 
 
@@ -151,18 +158,19 @@ class _Plan:
         """Draw P in every position, both curves, both tangents."""
         draft = self.draft
         draft.lay_out(self.point(self.plans.positions.point(self.plans.structure.origin)))
-        letters, normals, rate = self.normals()
+        letters, normals, even = self.normals()
         centre = draft.draw(meet, f"P_{{{self.index}}}", *normals, why=why.CENTRE)
+        pin = self.point(self.body.marks[letters[0]])
+        weight = (
+            draft.draw(measure_along, f"{letters[0]}P", pin, centre, normals[0], why=why.DISTANCE)
+            if even
+            else self.rate()
+        )
         row, closed = self.plans.in_turn, int(self.plans.closed)
 
         def curve(letter: str, through: Mark) -> Mark:
-            if rate is None:
-                return draft.draw(
-                    o.branched_curve, letter, through, *normals, row=row, closed=closed
-                )
-            return draft.draw(
-                o.branched_by_rate, letter, through, *normals, rate, row=row, closed=closed
-            )
+            op = o.branched_curve if even else o.branched_by_rate
+            return draft.draw(op, letter, through, weight, row=row, closed=closed)
 
         own = () if self.on is self.frame else tuple(self.on.link.points)[:2]
         fixed = self.side(self.on, own, centre, ("x", "y"), curve)
@@ -175,7 +183,7 @@ class _Plan:
         pivots = tuple(self.point(mark) for mark in self.frame.marks.values())
         return Centrodes(
             self.mu.view, self.mu, centre, normals, fixed, moving, self.touching, touch, off,
-            pivots, self.plans.in_turn,
+            pivots, self.plans.in_turn, self.index,
         )  # fmt: skip
 
     def point(self, of: Mark) -> Mark:
@@ -185,22 +193,22 @@ class _Plan:
             self.known[of] = self.draft.draw(o.plot_over, of.name, of, *factors, free=True)
         return self.known[of]
 
-    def normals(self) -> tuple[tuple[str, str], tuple[Mark, Mark], Mark | None]:
-        """Draw the normals of two points; return their letters too, and ω where velocities gave one."""
+    def normals(self) -> tuple[tuple[str, str], tuple[Mark, Mark], bool]:
+        """Draw the normals of two points; return their letters, and whether the first is driven evenly."""
         mechanism, link = self.plans.mechanism, self.body.link
         straight = holds(mechanism, link)[:2] if self.on is self.frame else []
-        first = [hold.letter for hold in straight]
+        first = [hold.point for hold in straight]
         letters = (*first, *(one for one in link.points if one not in first))[:2]
         lines = tuple(
             self.straight(straight[k]) if k < len(straight) else self.by_velocity(letter)
             for k, letter in enumerate(letters)
         )
-        rate = self.rate() if len(straight) < 2 else None
-        return (letters[0], letters[1]), (lines[0], lines[1]), rate
+        even = len(straight) > 1 and straight[0].even
+        return (letters[0], letters[1]), (lines[0], lines[1]), even
 
     def straight(self, hold: Hold) -> Mark:
         """Draw a normal that pivot or guide give."""
-        draft, at, name = self.draft, self.point(self.body.marks[hold.letter]), f"(n_{hold.letter})"
+        draft, at, name = self.draft, self.point(self.body.marks[hold.point]), f"(n_{hold.point})"
         if hold.pivot:
             pivot = self.point(self.frame.marks[hold.pivot])
             return draft.draw(join, name, pivot, at, free=True, why=why.NORMAL_OF_PIN)

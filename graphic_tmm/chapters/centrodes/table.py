@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.board.record import Mark, segment_name
+from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
 from graphic_tmm.chapters.centrodes.task import CENTRODES
 from graphic_tmm.drawn import Drawn, Results, results_of
@@ -13,19 +13,28 @@ from graphic_tmm.readers.columns import Column, Tabled, row_of
 from graphic_tmm.readers.protocol import Protocols
 
 
-def lengths(made: Centrodes) -> tuple[Mark, ...]:
-    """Return what is read in every position: P on the frame, P in the link, both arcs."""
-    fixed, moving = made.sides
-    return fixed.x, fixed.y, moving.x, moving.y, fixed.arc, moving.arc
+def lengths(made: Centrodes) -> dict[str, Mark]:
+    """Return by name what is read in every position: P on the frame, P in the link, both arcs."""
+    (fixed, moving), index = made.sides, made.index
+    return {
+        f"xP{index}": fixed.x,
+        f"yP{index}": fixed.y,
+        f"ξP{index}": moving.x,
+        f"ηP{index}": moving.y,
+        f"s{index}": fixed.arc,
+        f"s′{index}": moving.arc,
+    }
 
 
 def link_columns(drawn: Drawn, made: Centrodes) -> Iterator[Column]:
     """Yield the columns of one link's centrodes; arcs are there only between the positions of a sheet."""
     count, reading = len(drawn.names), drawn.reading
-    for mark in (one for one in lengths(made) if one in reading):
+    for name, mark in lengths(made).items():
+        if mark not in reading:
+            continue
         mm, value = (reading.figure(mark, by) for by in (None, made.mu))
         rows = row_of(mm, range(count), count), row_of(value, range(count), count)
-        yield Column(made.view, segment_name(mark.letter), mark.name, "m", *rows)
+        yield Column(made.view, name, mark.name, "m", *rows)
 
 
 def _columns(drawn: Drawn) -> Iterator[Column]:

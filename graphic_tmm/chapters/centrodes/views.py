@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.board.record import Mark, segment_name
+from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.centrodes.ink import draw_centrodes
 from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
 from graphic_tmm.chapters.centrodes.table import lengths, link_columns
@@ -52,9 +52,9 @@ def _link(drawn: Drawn, made: Centrodes, lettered: bool) -> list[Drawing]:
 
 def _named_marks(project: Project) -> dict[tuple[str, str], Mark]:
     return {
-        (made.view, segment_name(mark.letter)): mark
+        (made.view, name): mark
         for made in CENTRODES_PLAN.of(project) or ()
-        for mark in lengths(made)
+        for name, mark in lengths(made).items()
     }
 
 

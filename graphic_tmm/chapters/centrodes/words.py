@@ -58,6 +58,10 @@ NORMAL_OF_PIN = said(
 )
 NORMAL_OF_GUIDE = said("A point of a slider moves along its guide: its normal is square to that.")
 CENTRE = said("The instantaneous centre lies on the normals to the velocities of both points.")
+DISTANCE = said(
+    "The pin goes evenly: the farther it is from the centre the slower the link turns, and past infinity the "
+    "other way."
+)
 OWN_AXIS = said("In the link's own axes this line stands still: it is the first of them.")
 FRAME_AXIS = said("The coordinates on the frame are read along this axis and square to it.")
 UPRIGHT = said("The other coordinate is read along the square to it.")
