@@ -34,6 +34,7 @@ ALLOWED = {
     "readers/any_angles/turn.py: 'cam'",
     "readers/any_angles/turn.py: 'arc_cam'",
     "readers/any_angles/turn.py: 'gears'",
+    "readers/any_angles/turn.py: 'centrodes'",
     "readers/any_angles/results.py: 'forces'",
     "readers/any_angles/turn.py: 'centres'",
     "readers/any_angles/results.py: 'centres'",

@@ -112,7 +112,9 @@ class Motion:
         Of a cam, of a train, of a pair of gears, by the names of their tables, in SI, but pressure angles and
         angles of wheels in degrees, their speeds in rpm: ``S``, ``dS``, ``ddS`` by radians, ``v``, ``a`` or, of
         a lever, ``omega``, ``eps``, ``pressure``; ``n1``, ``planetary_n_H``; and how far wheels have turned,
-        ``phi1``, ``planetary_phi_H``. NaN where a quantity is none.
+        ``phi1``, ``planetary_phi_H``. Of centrodes the instantaneous centre P_20 of link 2 on the frame 0, m:
+        ``x20``, ``y20`` from the first pivot along the axes of the frame, ``xi20``, ``eta20`` from the first of
+        two points of the link, along and square to their line. NaN where a quantity is none.
     profile
         Points of the cam, in axes that turn with it, from its centre, m, x + iy: ``K`` of its profile, ``B`` of
         the theoretical one, or of the follower on arcs.

@@ -1,0 +1,66 @@
+"""How large centrodes may be drawn; their μ_l, by the window that shows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from graphic_tmm.board.doubt import Doubts
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
+from graphic_tmm.chapters.centrodes.task import ASKED, CENTRODES
+from graphic_tmm.chapters.centrodes.window import Window, window
+from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
+from graphic_tmm.fitting.sizes import Size, Sizing
+from graphic_tmm.project import Project
+from graphic_tmm.scene.records import Scene
+
+ROOM = 210.0
+"""Room for the window the longer way, mm."""
+
+
+def _fixed(scene: Scene) -> str:
+    return "centrodes.mu_l" if "centrodes.mu_l" in scene.told else ""
+
+
+SIZES = Sizing(
+    sizes=(Size(CENTRODES, low=0.6, high=1.5, least=0.3, fixed=_fixed),),
+    depends={CENTRODES: lambda scene, role: (CENTRODES,)},
+)
+
+
+def window_of(made: Centrodes, reading: Reading) -> Window:
+    """Return the window of a link's centrodes: in mm of the sheet, or in m where nothing is to scale."""
+    still = [*made.pivots, *(mark for side in made.sides for mark in side.stood)]
+    moved = [mark for side in made.sides for mark in side.points]
+    centres = [side.centre for side in made.sides]
+    return window(
+        *([reading[mark][0] for mark in marks] for marks in ([*still, *moved], still, centres))
+    )
+
+
+def _reach(project: Project, doubts: Doubts) -> Mapping[str, float]:
+    found = {}
+    for made in CENTRODES_PLAN.on(project):
+        marks = [
+            *made.pivots,
+            *(m for side in made.sides for m in (*side.points, *side.stood, side.centre)),
+        ]
+        found[made.view] = window_of(made, unscaled(project, doubts, marks)).reach
+    return found
+
+
+def _factors(sized: Sized) -> Iterator[ScaleFactor]:
+    room, order = ROOM * sized.sizes[CENTRODES], ASKED.of(sized.project.scene)
+    fixed = order.mu_l if order is not None else None
+    for made in CENTRODES_PLAN.on(sized):
+        reach = sized.reach[CENTRODES][made.view]
+        yield ScaleFactor(made.mu, "l_{max}", reach, room, fixed=fixed, lengths=True)
+
+
+SCALES = ScaleFactors(
+    reach=_reach,
+    factors=_factors,
+    keys=lambda project: {
+        made.view: f"mu_l_{CENTRODES}_{made.moving.link}" for made in CENTRODES_PLAN.on(project)
+    },
+)
