@@ -1,0 +1,148 @@
+"""What is drawn of the curvature of paths: which link, which points; both constructions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.chapters.curvature.bobillier import (
+    Bobillier,
+    Holding,
+    Path,
+    draw_centre,
+    draw_held,
+    draw_holding,
+    draw_path,
+    known_paths,
+)
+from graphic_tmm.chapters.curvature.bresse import Bresse, draw_bresse
+from graphic_tmm.chapters.curvature.link_figure import LinkFigure
+from graphic_tmm.chapters.curvature.task import ASKED, BRESSE, CURVATURE, CurvatureTask
+from graphic_tmm.chapters.kinematics.bodies import Body
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
+from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
+from graphic_tmm.project import Bench
+from graphic_tmm.scene.chapter import Recorded
+
+
+@dataclass(frozen=True)
+class Curvature:
+    """What is drawn of the curvature of paths; ``places``: in which positions (indices).
+
+    ``paths``: of the points asked for, as the plans tell them, ``centres``: of those that do not hold the link,
+    by Bobillier; ``bresse``: None where the circles are not asked for. ``read``: coordinates (Length).
+    """
+
+    order: CurvatureTask
+    link: int
+    places: tuple[int, ...]
+    figure: LinkFigure
+    holding: Holding
+    paths: tuple[Path, ...]
+    centres: tuple[Bobillier, ...]
+    bresse: Bresse | None
+    read: tuple[Mark, ...]
+
+    @property
+    def figures(self) -> tuple[LinkFigure, ...]:
+        """The views in which the link is drawn."""
+        return (self.figure, *([self.bresse.figure] if self.bresse is not None else []))
+
+
+CURVATURE_PLAN: Recorded[Curvature] = Recorded(CURVATURE)
+
+
+def record(bench: Bench) -> Curvature | None:
+    """Draw the centres of curvature that the scene asks for, and the circles of Bresse.
+
+    Raises
+    ------
+    StructureError
+        If the link is none whose points go on curves about several centres, or points are not its own.
+    """
+    order = ASKED.of(bench.scene)
+    if order is None:
+        return None
+    plans = KINEMATICS_PLAN.on(bench)
+    body = _body(plans, order)
+    places = chosen(order.positions, bench.names, CURVATURE)
+    for view in (CURVATURE, BRESSE, ACCELERATIONS, VELOCITIES):
+        bench.tell(view, range(len(bench.names)) if view == VELOCITIES else places)
+    number, quarters = body.link.number, plans.mechanism.drive.sense * bench.scene.turned
+    figure = LinkFigure(bench.draft, plans, body, CURVATURE, str(number))
+    known = known_paths(figure)
+    held_by = {*known.guides, *known.pivots}
+    asked = order.points or tuple(k for k in body.link.points if k not in held_by)
+    bases = known.bases(figure, asked)
+    if len(bases) < 2:
+        says = said(
+            "link {n} has one point, and two have to be known: give it another in its [[link]]",
+            n=number,
+        )
+        raise _fault(says, "link")
+    planned = [k for k in dict.fromkeys((*bases, *asked)) if k in asked or k not in held_by]
+    paths = {k: draw_path(figure, k, quarters) for k in planned if k not in known.guides}
+    if still := next((k for k, path in paths.items() if path is None), None):
+        raise _fault(said("{letter} stands still: it has no path", letter=still), "points")
+    drawn = {k: path for k, path in paths.items() if path is not None}
+    held = [draw_held(figure, known, k, drawn.get(k)) for k in bases]
+    holding = draw_holding(figure, held)
+    own = tuple(drawn[k] for k in asked if k in drawn)
+    centres = tuple(draw_centre(figure, holding, one) for one in own if one.letter not in bases)
+    read = figure.coordinates(holding.pole, *(one.centre for one in own))
+    bresse = None
+    if order.circles or order.ball:
+        if order.ball and not all(one.pivoted for one in holding.held):
+            raise _fault(_NO_BALL, "ball")
+        circles = LinkFigure(bench.draft, plans, body, BRESSE, f"{number}′")
+        bresse = draw_bresse(circles, holding, figure.mu, ball=order.ball)
+    return Curvature(order, number, places, figure, holding, own, centres, bresse, read)
+
+
+_NO_BALL = said(
+    "Ball's point wants how curvatures change, known of two points that turn about pivots of the frame: leave "
+    "ball out (a point that slides on a straight guide of the frame is Ball's point itself)"
+)
+
+
+def _body(plans: KinematicPlans, order: CurvatureTask) -> Body:
+    """Find the link that is asked for, and refuse one whose paths need no construction."""
+    bodies, frame = plans.positions.bodies, plans.mechanism.frame.number
+    own = (n for n, b in bodies.items() if n != frame and {*order.points} <= b.link.points.keys())
+    number = order.link if order.link is not None else next(own, None)
+    if number is None:
+        listed = ", ".join(order.points)
+        says = said("no link has all of the points {listed}: ask for one link", listed=listed)
+        raise _fault(says, "points")
+    if number not in bodies or number == frame:
+        moving = ", ".join(str(n) for n in sorted(bodies) if n != frame)
+        says = said("there is no moving link {n}; there are {moving}", n=number, moving=moving)
+        raise _fault(says, "link")
+    body, fixed = bodies[number], bodies[frame].marks
+    if missing := [k for k in order.points if k not in body.link.points]:
+        says = said(
+            "link {n} has no point {letter}: give it one in its [[link]]",
+            n=number,
+            letter=missing[0],
+        )
+        raise _fault(says, "points")
+    if pivot := next((k for k in body.link.points if k in fixed), None):
+        says = said(
+            "link {n} turns about {letter}: that is the centre of curvature of all its paths; ask for a coupler",
+            n=number, letter=pivot,
+        )  # fmt: skip
+        raise _fault(says, "link")
+    if plans.velocities is None or number not in plans.velocities.rates:
+        says = said(
+            "link {n} does not turn: all its points move alike, its instantaneous centre is infinitely far; "
+            "ask for a link that turns",
+            n=number,
+        )
+        raise _fault(says, "link")
+    return body
+
+
+def _fault(says: str, key: str) -> StructureError:
+    return StructureError(says, f"{CURVATURE}.{key}", head=CURVATURE)

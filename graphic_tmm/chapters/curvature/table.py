@@ -1,0 +1,49 @@
+"""The columns of the constructions at their positions, and their plans in protocols."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from graphic_tmm.board.record import Mark, segment_name
+from graphic_tmm.board.values import Length
+from graphic_tmm.chapters.curvature.plan import CURVATURE_PLAN
+from graphic_tmm.chapters.curvature.task import CURVATURE
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.project import Project
+from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
+from graphic_tmm.readers.protocol import Protocols
+
+
+def curvature_columns(drawn: Drawn) -> Iterator[Column]:
+    """Yield radii of curvature, then what is measured on the constructions, at their positions."""
+    made, count, reading = CURVATURE_PLAN.on(drawn), len(drawn.names), drawn.reading
+    gone = np.isin(np.arange(count), drawn_places(drawn), invert=True)[None]
+    for (plan, name), mark in radius_marks(drawn.project).items():
+        row = row_of(reading.figure(mark), drawn.all, count)
+        yield Column(plan, name, mark.letter, mark.unit, empty(count), row).blank(gone)
+    for figure in made.figures:
+        for step in drawn.construction.steps:
+            if step.it.view == figure.view and step.it.kind is Length and step.op.reads:
+                by = (None, figure.mu)
+                rows = (row_of(reading.figure(step.it, one), drawn.all, count) for one in by)
+                segment = segment_name(step.it.letter)
+                yield Column(figure.view, segment, step.it.name, "m", *rows).blank(gone)
+
+
+def drawn_places(drawn: Drawn) -> list[int]:
+    """Return the positions (indices) in which it is drawn."""
+    return [k for k in CURVATURE_PLAN.on(drawn).places if k not in drawn.undrawn]
+
+
+def radius_marks(project: Project) -> dict[tuple[str, str], Mark]:
+    """Return the radii of curvature (m) by plan and the name that machines read."""
+    paths = CURVATURE_PLAN.on(project).paths
+    return {(CURVATURE, f"rho{one.letter}"): one.radius for one in paths}
+
+
+TABLE = Tabled(columns=curvature_columns)
+PROTOCOL = Protocols(
+    views=lambda project: {CURVATURE: [one.view for one in CURVATURE_PLAN.on(project).figures]}
+)
