@@ -45,7 +45,8 @@ def motion(
         Letters of the points wanted; None for all.
     plans
         What is wanted; None for the first three, of a scene without a mechanism for what it has.
-        Of "positions", "velocities" (with ω), "accelerations" (with ε), and "forces": the
+        Of "positions", "velocities" (with ω), "accelerations" (with ε), "curvature" (centres of curvature,
+        their radii, poles of a link, of a scene with [curvature]), and "forces": the
         reactions and what balances the crank, of a scene that has loads. A load by the travel of a slider turns
         at the ends of its travel; one by the angle or by the position is read off its diagram along straight
         lines, gas off the indicator diagram as drawn. They go with the cycle, which begins at the zero

@@ -145,7 +145,7 @@ def draw_held(figure: LinkFigure, known: Known, letter: str, path: Path | None) 
 
 def draw_holding(figure: LinkFigure, held: list[Held]) -> Holding:
     """Find P, the axis of the rays to both points and the common tangent of the centrodes."""
-    a, b = held if held[0].centre is not None else held[::-1]
+    a, b = figure.held = held if held[0].centre is not None else held[::-1]
     pole = figure.put(meet, "P", a.normal, b.normal, why=why.POLE)
     through = figure.line(a.at, b.at, why.CENTRES)
     if a.centre is None:

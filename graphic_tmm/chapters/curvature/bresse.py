@@ -20,30 +20,32 @@ from graphic_tmm.chapters.curvature.link_figure import Circle, Held, LinkFigure
 
 
 class Bresse(NamedTuple):
-    """The circles as drawn: the points by which the link is held, P, where its rays meet the inflection circle.
+    """The circles as drawn: the points by which the link is held, P, the circles; ``rest``: Π.
 
-    ``rest``: Π; ``gap``: from the centre of the inflection circle to Π (Length), as much as its radius.
-    ``ball``: Ball's point; None where it is not asked for.
+    ``gap``: from the centre of the inflection circle to Π (Length), as much as its radius.
     """
 
     figure: LinkFigure
     held: tuple[Held, Held]
     pole: Mark
-    inflected: tuple[Mark, Mark]
     inflection: Circle
     rest: Mark
     second: Circle
     gap: Mark
-    ball: Mark | None
-    read: tuple[Mark, ...]
 
 
-def draw_bresse(figure: LinkFigure, holding: Holding, mu: Mark, *, ball: bool) -> Bresse:
+class Ball(NamedTuple):
+    """Ball's ``point`` as drawn."""
+
+    figure: LinkFigure
+    point: Mark
+
+
+def draw_bresse(figure: LinkFigure, holding: Holding, mu: Mark) -> Bresse:
     """Draw both circles; ``mu``: of the view in which P was found."""
     pole = figure.point(holding.pole, mu)
-    held = tuple(_held(figure, one, mu) for one in holding.held)
-    a, b = held
-    inflected = tuple(_inflected(figure, pole, one) for one in held)
+    held = a, b = figure.held = [_held(figure, one, mu) for one in holding.held]
+    inflected = [_inflected(figure, pole, one) for one in held]
     lines = [
         figure.put(square, f"({mark.letter}J)", mark, one.normal, sense=1, why=why.FAR_END)
         for one, mark in zip(held, inflected, strict=True)
@@ -63,20 +65,8 @@ def draw_bresse(figure: LinkFigure, holding: Holding, mu: Mark, *, ball: bool) -
     second = figure.circle(pole, far, "V", why.SECOND)
     name = between(inflection.middle, rest.letter)
     gap = figure.put(measure, name, inflection.middle, rest, why=why.CHECKED)
-    point = _ball(figure, (pole, end), (normal, tangent), (a, b)) if ball else None
-    read = figure.coordinates(rest, *([point] if point is not None else []))
-    return Bresse(
-        figure,
-        (a, b),
-        pole,
-        (inflected[0], inflected[1]),
-        inflection,
-        rest,
-        second,
-        gap,
-        point,
-        read,
-    )
+    figure.coordinates(rest)
+    return Bresse(figure, (a, b), pole, inflection, rest, second, gap)
 
 
 def _held(figure: LinkFigure, one: Held, mu: Mark) -> Held:
@@ -100,18 +90,23 @@ def _inflected(figure: LinkFigure, pole: Mark, one: Held) -> Mark:
     return figure.put(lay_off, name, one.normal, long, why=why.ON_CIRCLE)
 
 
-def _ball(
-    figure: LinkFigure, ends: tuple[Mark, Mark], axes: tuple[Mark, Mark], held: tuple[Held, Held]
-) -> Mark:
-    """Return Ball's point: where the inflection circle meets the cubic of stationary curvature again.
+def draw_ball(figure: LinkFigure, bresse: Bresse) -> Ball:
+    """Find Ball's point: where the inflection circle meets the cubic of stationary curvature again.
 
-    ``ends``: P and J, ``axes``: normal and tangent. A point of the cubic at the distance r from P, seen under ψ
-    from t, has 1/r = 1/(M·sin ψ) + 1/(N·cos ψ): the square on its ray cuts r/cos ψ off t and r/sin ψ off PJ, and
-    the corner of the rectangle over both lies on the line y/M + x/N = 1, whatever ψ. Two points of circles about
-    fixed pivots give that line. On the inflection circle r/sin ψ is its diameter.
+    A point of the cubic, at the distance r from P and seen under ψ from t, has 1/r = 1/(M·sin ψ) + 1/(N·cos ψ).
+    The square on its ray cuts r/cos ψ off t and r/sin ψ off PJ: the corner of the rectangle over both lies on
+    the line y/M + x/N = 1, which two points of circles about fixed pivots give. On the inflection circle
+    r/sin ψ is its diameter.
     """
-    (pole, end), (normal, tangent), corners = ends, axes, list[Mark]()
-    for one in held:
+    pole, end = (
+        figure.point(one, bresse.figure.mu) for one in (bresse.pole, bresse.inflection.end)
+    )
+    figure.held = [_held(figure, one, bresse.figure.mu) for one in bresse.held]
+    figure.circle(pole, end, "W′", why.INFLECTION)
+    normal = figure.line(pole, end, why.TANGENT)
+    tangent = figure.put(square, "(t)", pole, normal, sense=1, why=why.TANGENT)
+    corners = list[Mark]()
+    for one in figure.held:
         k = one.letter
         across = figure.put(square, f"({k}X)", one.at, one.normal, sense=1, why=why.CORNER)
         x = figure.put(meet, f"X_{{{k}}}", across, tangent, why=why.CORNER)
@@ -119,11 +114,13 @@ def _ball(
         up = figure.put(parallel, f"(X_{{{k}}}G)", x, normal, sense=1, why=why.CORNER)
         over = figure.put(parallel, f"(Y_{{{k}}}G)", y, tangent, sense=1, why=why.CORNER)
         corners.append(figure.put(meet, f"G_{{{k}}}", up, over, why=why.CORNER))
-    line = figure.line(*corners, why.CUBIC)
-    level = figure.put(parallel, "(JG)", end, tangent, sense=1, why=why.BALL)
-    corner = figure.put(meet, "G", line, level, why=why.BALL)
-    down = figure.put(parallel, "(GX)", corner, normal, sense=1, why=why.BALL)
-    foot = figure.put(meet, "X", down, tangent, why=why.BALL)
-    chord = figure.line(end, foot, why.BALL)
-    ray = figure.put(square, "(PU)", pole, chord, sense=1, why=why.BALL)
-    return figure.put(meet, "U", ray, chord, why=why.BALL)
+    line = figure.line(corners[0], corners[1], why.CUBIC)
+    level = figure.put(parallel, "(JG)", end, tangent, sense=1, why=why.BALL_POINT)
+    corner = figure.put(meet, "G", line, level, why=why.BALL_POINT)
+    down = figure.put(parallel, "(GX)", corner, normal, sense=1, why=why.BALL_POINT)
+    foot = figure.put(meet, "X", down, tangent, why=why.BALL_POINT)
+    chord = figure.line(end, foot, why.BALL_POINT)
+    ray = figure.put(square, "(PU)", pole, chord, sense=1, why=why.BALL_POINT)
+    point = figure.put(meet, "U", ray, chord, why=why.BALL_POINT)
+    figure.coordinates(point)
+    return Ball(figure, point)

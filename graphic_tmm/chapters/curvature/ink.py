@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import cmath
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Point
+from graphic_tmm.chapters.curvature.bobillier import Holding
 from graphic_tmm.chapters.curvature.link_figure import Held, LinkFigure
 from graphic_tmm.chapters.curvature.plan import Curvature
 from graphic_tmm.chapters.kinematics.ink_links import rigid_figure
-from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
+from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
@@ -24,6 +25,10 @@ GUIDE = 14.0
 """Half of a guide as it is shown, mm."""
 LEAST = 0.3
 """What is shorter is a point, mm."""
+TANGENT = 24.0
+"""Half of the tangent of the centrodes as it is shown, mm."""
+RADII = (15.0, 19.0)
+"""Of the arcs that show the equal angles, mm."""
 DOT = 0.7
 """The radius of a point that a construction finds, mm."""
 SIGN = 2.2
@@ -41,26 +46,56 @@ def _whole(pen: str) -> Rule:
     return drawn
 
 
+def _through(half: float) -> Rule:
+    """Return the rule of a line that is shown about where it begins; ``half``: of its length, mm."""
+
+    def drawn(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        at, along = seen.line(step.it, k)
+        if finite(at, along):
+            yield line("thin", at - half * along, at + half * along)
+
+    return drawn
+
+
 def draw_figure(on: Subject, made: Curvature, shown: LinkFigure, k: int) -> Drawing:
     """Return a construction in a position (index)."""
-    seen, marks = on.seen((shown.view,), [k]), dict[Mark, Rule]()
-    bresse, holding = made.bresse, made.holding
-    if bresse is not None and shown is bresse.figure:
-        held, results = bresse.held, [bresse.pole, bresse.rest, bresse.ball]
-        marks = {bresse.inflection.arc: _whole("medium"), bresse.second.arc: _whole("dashed")}
-    else:
-        held = holding.held
-        results = [holding.pole, *(one.centre for one in (*made.paths, *made.centres))]
-    marks |= {one: dotted(DOT) for one in results if one is not None}
+    seen, holding = on.seen((shown.view,), [k]), made.holding
+    pens = zip(shown.circles, ("medium", "dashed"), strict=False)
+    marks = {one.arc: _whole(pen) for one, pen in pens}
+    marks |= {mark: dotted(DOT) for mark in shown.results}
+    angles: list[tuple[float, float]] = []
+    if shown is made.figure:
+        marks |= {one.centre: dotted(DOT) for one in made.centres}
+        marks[holding.tangent] = _through(TANGENT)
+        angles = [*_equal(seen, holding, k)]
     manner = Manner({}, lambda seen, step: step.it in marks or usual(seen, step), marks)
-    traces = figure(seen, manner)
-    strokes = [*traces.staying, *_bodies(seen, shown.letters, held, k)]
-    return traces.drawing(on, strokes, _letters(on, seen, k))
+    traces, pole = figure(seen, manner), seen.point(holding.pole, k)
+    strokes = [*traces.staying, *_bodies(seen, shown.letters, shown.held, k)]
+    wanted, of = [*_letters(on, seen, k)], (holding.tangent.slot,)
+    for radius, (start, sweep) in zip(RADII, angles, strict=False):
+        way = cmath.rect(1.0, math.radians(start + sweep / 2.0))
+        bow = [arc("thin", pole, radius, start, sweep)]
+        strokes += body(bow, "angle", [holding.tangent], k)
+        at = pole + radius * way
+        wanted.append(Wanted("δ", at, on.heights.number, 0.5, way, of, k))
+    if angles:
+        at, along = seen.line(holding.tangent, k)
+        wanted.append(Wanted("t", at + TANGENT * along, on.heights.point, 0.5, along, of, k))
+    return traces.drawing(on, strokes, wanted)
 
 
-def _bodies(
-    seen: Seen, letters: Mapping[str, Mark], held: tuple[Held, Held], k: int
-) -> Iterator[Ink]:
+def _equal(seen: Seen, holding: Holding, k: int) -> Iterator[tuple[float, float]]:
+    """Yield the equal angles of Bobillier, where each begins and how far it goes, degrees."""
+    pole, (a, b) = seen.point(holding.pole, k), holding.held
+    first, second = (seen.point(one.at, k) - pole for one in (a, b))
+    axis, tangent = (seen.line(one, k)[1] for one in (holding.axis, holding.tangent))
+    for start, end in ((first, axis), (second, tangent)):
+        if finite(start, end) and 0 not in (start, end):
+            turn = math.degrees(cmath.phase(end / start))
+            yield math.degrees(cmath.phase(start)), turn - 180.0 * round(turn / 180.0)
+
+
+def _bodies(seen: Seen, letters: Mapping[str, Mark], held: Sequence[Held], k: int) -> Iterator[Ink]:
     """The link, and what holds its points: cranks about their pivots, stones on guides."""
     spots = {letter: seen.point(mark, k) for letter, mark in letters.items()}
     if not finite(*spots.values()):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.grammar import Operation
@@ -15,9 +15,9 @@ from graphic_tmm.board.operations.instruments import (
     square,
     strike,
 )
-from graphic_tmm.board.operations.statics import detach
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.curvature import words as why
+from graphic_tmm.chapters.curvature.formulas import carry_over
 from graphic_tmm.chapters.kinematics.bodies import Body
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 
@@ -25,8 +25,8 @@ from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 class Held(NamedTuple):
     """One of the two points by which the link is held: its ``normal`` begins at it.
 
-    ``centre``: of curvature of its path, None infinitely far; ``guide``: the line on the plan of positions along
-    which it slides; ``pivoted``: whether its centre is a pivot of the frame.
+    ``centre``: of curvature of its path, None infinitely far; ``guide``: along which it slides, a line on the
+    plan of positions; ``pivoted``: whether its centre is a pivot of the frame.
     """
 
     letter: str
@@ -47,7 +47,10 @@ class Circle(NamedTuple):
 
 
 class LinkFigure:
-    """A link in a ``view`` with a ``mu`` of its own; ``points``: by the marks that they stand for."""
+    """A link in a ``view`` with a ``mu`` of its own; ``points``: by the marks that they stand for.
+
+    ``held``: the points by which the link is held, ``results``: points that are found, ``circles``: in order.
+    """
 
     def __init__(
         self, draft: Draft, plans: KinematicPlans, body: Body, view: str, index: str
@@ -58,12 +61,20 @@ class LinkFigure:
         self.mu = draft.scale(f"μ_{{l{index}}}", "m/mm")
         draft.lay_out()
         self.points: dict[Mark, Mark] = {}
+        self.held: list[Held] = []
+        self.results: list[Mark] = []
+        self.circles: list[Circle] = []
         bodies = plans.positions.bodies
         self.origin = self.point(bodies[self.frame].marks[plans.structure.origin])
         self.letters = {letter: self.point(body.marks[letter]) for letter in body.link.points}
 
+    @property
+    def own(self) -> tuple[Mark, ...]:
+        """The points of the link, and the pivot from which coordinates are measured."""
+        return (self.origin, *self.letters.values())
+
     def put(
-        self, op: Operation, letter: str, *uses: Mark, unit: str = "", why: str = "", **choice: int
+        self, op: Operation, letter: str, *uses: Mark, unit: str = "", why: str = "", **choice: Any
     ) -> Mark:
         """Record an operation in the view, whose letter may stand on other marks too."""
         self.draft.open(self.view)
@@ -73,7 +84,7 @@ class LinkFigure:
         """Return a point of the plan of positions, or of a view with that ``mu``, as it stands in this one."""
         if of not in self.points:
             factors = (mu or self.draft.mu_l, self.mu)
-            self.points[of] = self.put(detach, of.letter, of, *factors, why=why.CARRIED)
+            self.points[of] = self.put(carry_over, of.letter, of, *factors)
         return self.points[of]
 
     def line(self, start: Mark, end: Mark, because: str = "") -> Mark:
@@ -84,21 +95,16 @@ class LinkFigure:
         """Draw the circle over a diameter from the instantaneous centre."""
         centre = self.put(halve, middle, pole, end, why=why.MIDDLE)
         radius = self.put(measure, f"{middle}P", centre, pole)
-        return Circle(
-            end, centre, radius, self.put(strike, f"({middle})", centre, radius, why=because)
-        )
+        arc = self.put(strike, f"({middle})", centre, radius, why=because)
+        self.circles.append(Circle(end, centre, radius, arc))
+        return self.circles[-1]
 
-    def coordinates(self, *named: Mark) -> tuple[Mark, ...]:
-        """Measure where points are, along x and y from a point of the frame."""
+    def coordinates(self, *named: Mark) -> None:
+        """Measure where points that are found stand, along x and y from a point of the frame."""
         x = self.put(ray, "(x)", self.origin, self.draft.direction(0.0), why=why.FROM_HERE)
         y = self.put(square, "(y)", self.origin, x, sense=1, why=why.FROM_HERE)
-        return tuple(
-            self.put(measure_along, f"{axis}_{{{bare(mark.letter)}}}", self.origin, mark, line)
-            for mark in named
-            for axis, line in (("x", x), ("y", y))
-        )
-
-
-def bare(letter: str) -> str:
-    """Return a letter as it stands in the index of another: K_0 -> K0."""
-    return letter.replace("_", "").replace("{", "").replace("}", "")
+        for mark in named:
+            index = mark.letter.replace("_", "").replace("{", "").replace("}", "")
+            for axis, line in (("x", x), ("y", y)):
+                self.put(measure_along, f"{axis}_{{{index}}}", self.origin, mark, line)
+        self.results += named

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.curvature.bobillier import (
     Bobillier,
     Holding,
@@ -15,9 +14,9 @@ from graphic_tmm.chapters.curvature.bobillier import (
     draw_path,
     known_paths,
 )
-from graphic_tmm.chapters.curvature.bresse import Bresse, draw_bresse
+from graphic_tmm.chapters.curvature.bresse import Ball, Bresse, draw_ball, draw_bresse
 from graphic_tmm.chapters.curvature.link_figure import LinkFigure
-from graphic_tmm.chapters.curvature.task import ASKED, BRESSE, CURVATURE, CurvatureTask
+from graphic_tmm.chapters.curvature.task import ASKED, BALL, BRESSE, CURVATURE, CurvatureTask
 from graphic_tmm.chapters.kinematics.bodies import Body
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
@@ -32,7 +31,7 @@ class Curvature:
     """What is drawn of the curvature of paths; ``places``: in which positions (indices).
 
     ``paths``: of the points asked for, as the plans tell them, ``centres``: of those that do not hold the link,
-    by Bobillier; ``bresse``: None where the circles are not asked for. ``read``: coordinates (Length).
+    by Bobillier; ``bresse``, ``ball``: None where they are not asked for.
     """
 
     order: CurvatureTask
@@ -43,12 +42,13 @@ class Curvature:
     paths: tuple[Path, ...]
     centres: tuple[Bobillier, ...]
     bresse: Bresse | None
-    read: tuple[Mark, ...]
+    ball: Ball | None
 
     @property
     def figures(self) -> tuple[LinkFigure, ...]:
         """The views in which the link is drawn."""
-        return (self.figure, *([self.bresse.figure] if self.bresse is not None else []))
+        more = (one.figure for one in (self.bresse, self.ball) if one is not None)
+        return (self.figure, *more)
 
 
 CURVATURE_PLAN: Recorded[Curvature] = Recorded(CURVATURE)
@@ -68,7 +68,7 @@ def record(bench: Bench) -> Curvature | None:
     plans = KINEMATICS_PLAN.on(bench)
     body = _body(plans, order)
     places = chosen(order.positions, bench.names, CURVATURE)
-    for view in (CURVATURE, BRESSE, ACCELERATIONS, VELOCITIES):
+    for view in (CURVATURE, BRESSE, BALL, ACCELERATIONS, VELOCITIES):
         bench.tell(view, range(len(bench.names)) if view == VELOCITIES else places)
     number, quarters = body.link.number, plans.mechanism.drive.sense * bench.scene.turned
     figure = LinkFigure(bench.draft, plans, body, CURVATURE, str(number))
@@ -91,14 +91,16 @@ def record(bench: Bench) -> Curvature | None:
     holding = draw_holding(figure, held)
     own = tuple(drawn[k] for k in asked if k in drawn)
     centres = tuple(draw_centre(figure, holding, one) for one in own if one.letter not in bases)
-    read = figure.coordinates(holding.pole, *(one.centre for one in own))
-    bresse = None
+    figure.coordinates(holding.pole, *(one.centre for one in own))
+    bresse = ball = None
     if order.circles or order.ball:
+        circles = LinkFigure(bench.draft, plans, body, BRESSE, f"{number}W")
+        bresse = draw_bresse(circles, holding, figure.mu)
         if order.ball and not all(one.pivoted for one in holding.held):
             raise _fault(_NO_BALL, "ball")
-        circles = LinkFigure(bench.draft, plans, body, BRESSE, f"{number}′")
-        bresse = draw_bresse(circles, holding, figure.mu, ball=order.ball)
-    return Curvature(order, number, places, figure, holding, own, centres, bresse, read)
+        if order.ball:
+            ball = draw_ball(LinkFigure(bench.draft, plans, body, BALL, f"{number}U"), bresse)
+    return Curvature(order, number, places, figure, holding, own, centres, bresse, ball)
 
 
 _NO_BALL = said(
@@ -130,7 +132,7 @@ def _body(plans: KinematicPlans, order: CurvatureTask) -> Body:
         raise _fault(says, "points")
     if pivot := next((k for k in body.link.points if k in fixed), None):
         says = said(
-            "link {n} turns about {letter}: that is the centre of curvature of all its paths; ask for a coupler",
+            "link {n} turns about {letter}: there is the centre of curvature of all its paths; ask for a coupler",
             n=number, letter=pivot,
         )  # fmt: skip
         raise _fault(says, "link")

@@ -29,28 +29,42 @@ SIZES = Sizing(
 )
 
 
+FAR = 25.0
+"""A construction that reaches so many times as far as its link and pivots leaves these too small to be read."""
+
+
 def reach(project: Project, doubts: Doubts) -> Mapping[Mark, Mapping[int, float]]:
-    """Return, by μ and position (index), how far a construction reaches, m; none where it is not there."""
+    """Return, by μ and position (index), how far a construction reaches, m; none where it cannot be read."""
     made, count = CURVATURE_PLAN.on(project), len(project.names)
     found = {}
     for figure in made.figures:
         points = [mark for mark in project.marks(figure.view) if mark.kind is Point]
         reading = unscaled(project, doubts, points)
         rows = [np.broadcast_to(reading[mark][0], (count,)) for mark in points]
-        if made.bresse is not None and figure is made.bresse.figure:
-            for circle in (made.bresse.inflection, made.bresse.second):
-                centre, end = (reading[mark][0] for mark in (circle.middle, circle.end))
-                rows += [np.broadcast_to(centre + (end - centre) * 1j**k, (count,)) for k in (1, 3)]
+        for circle in figure.circles:
+            centre, end = (reading[mark][0] for mark in (circle.middle, circle.end))
+            rows += [np.broadcast_to(centre + (end - centre) * 1j**k, (count,)) for k in (1, 3)]
         spots = np.array(rows)
-        whole = {k: spots[np.isfinite(spots[:, k]), k] for k in made.places}
-        found[figure.mu] = {k: extent([one]) for k, one in whole.items() if one.size > 1}
+        own = np.array([row for mark, row in zip(points, rows, strict=False) if mark in figure.own])
+        found[figure.mu] = {
+            k: far
+            for k in made.places
+            if np.isfinite(spots[:, k]).all()
+            and (far := extent([spots[:, k]])) <= FAR * extent([own[:, k]])
+        }
     return found
+
+
+def shown(held: Sized, mu: Mark) -> list[int]:
+    """Return the positions (indices) in which the construction of a μ is drawn."""
+    return [*held.reach[CURVATURE][mu]]
 
 
 def _factors(sized: Sized) -> Iterator[ScaleFactor]:
     for figure in CURVATURE_PLAN.on(sized).figures:
         apart, room = sized.reach[CURVATURE][figure.mu], sized.sizes[CURVATURE]
         most = max(apart.values(), default=1.0)
+        apart = apart if len(apart) > 1 else {}
         yield ScaleFactor(figure.mu, "B", most, room, lengths=True, why=_WHY, apart=apart)
 
 

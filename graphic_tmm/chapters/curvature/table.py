@@ -9,32 +9,34 @@ import numpy as np
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.curvature.plan import CURVATURE_PLAN
+from graphic_tmm.chapters.curvature.scales import shown
 from graphic_tmm.chapters.curvature.task import CURVATURE
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
-from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
+from graphic_tmm.readers.columns import Column, Tabled, empty, ordinates, row_of
 from graphic_tmm.readers.protocol import Protocols
 
 
 def curvature_columns(drawn: Drawn) -> Iterator[Column]:
-    """Yield radii of curvature, then what is measured on the constructions, at their positions."""
-    made, count, reading = CURVATURE_PLAN.on(drawn), len(drawn.names), drawn.reading
-    gone = np.isin(np.arange(count), drawn_places(drawn), invert=True)[None]
-    for (plan, name), mark in radius_marks(drawn.project).items():
-        row = row_of(reading.figure(mark), drawn.all, count)
-        yield Column(plan, name, mark.letter, mark.unit, empty(count), row).blank(gone)
+    """Yield radii of curvature, then what is measured on the constructions, where these are drawn."""
+    made, reading, count = CURVATURE_PLAN.on(drawn), drawn.reading, len(drawn.names)
     for figure in made.figures:
+        there = drawn_places(drawn, figure.mu)
+        gone = np.isin(np.arange(count), there, invert=True)[None]
+        for one in made.paths if figure is made.figure else ():
+            name, mark = f"rho{one.letter}", one.radius
+            row = row_of(reading.figure(mark), drawn.all, count)
+            yield Column(figure.view, name, mark.letter, mark.unit, empty(count), row).blank(gone)
         for step in drawn.construction.steps:
             if step.it.view == figure.view and step.it.kind is Length and step.op.reads:
-                by = (None, figure.mu)
-                rows = (row_of(reading.figure(step.it, one), drawn.all, count) for one in by)
+                rows = ordinates(reading, step.it, figure.mu, count)
                 segment = segment_name(step.it.letter)
                 yield Column(figure.view, segment, step.it.name, "m", *rows).blank(gone)
 
 
-def drawn_places(drawn: Drawn) -> list[int]:
-    """Return the positions (indices) in which it is drawn."""
-    return [k for k in CURVATURE_PLAN.on(drawn).places if k not in drawn.undrawn]
+def drawn_places(drawn: Drawn, mu: Mark) -> list[int]:
+    """Return the positions (indices) in which the construction of a μ is drawn."""
+    return [k for k in shown(drawn, mu) if k not in drawn.undrawn]
 
 
 def radius_marks(project: Project) -> dict[tuple[str, str], Mark]:

@@ -15,8 +15,8 @@ from graphic_tmm.scene.tasks import SectionKey
 if TYPE_CHECKING:
     from graphic_tmm.scene.sections import Parts
 
-CURVATURE, BRESSE = "curvature", "bresse"
-"""The place and the view of centres of curvature, the view of the circles."""
+CURVATURE, BRESSE, BALL = "curvature", "bresse", "ball"
+"""The place and the view of centres of curvature, the views of the circles and of Ball's point."""
 
 
 @dataclass(frozen=True)

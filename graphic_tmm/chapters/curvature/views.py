@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from graphic_tmm.chapters.curvature.ink import draw_figure
 from graphic_tmm.chapters.curvature.plan import CURVATURE_PLAN
 from graphic_tmm.chapters.curvature.table import curvature_columns, drawn_places, radius_marks
@@ -20,10 +22,13 @@ from graphic_tmm.scene.captions import captions
 
 def curvature_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the constructions at each of their positions, then the table."""
-    language, places = drawn.scene.language, drawn_places(drawn)
-    found = [one for k in places for one in paired(views_at(drawn, k, lettered))]
-    rows = [*curvature_columns(drawn)]
-    if places and rows:
+    language, made = drawn.scene.language, CURVATURE_PLAN.on(drawn)
+    found = list[Drawing]()
+    for k in made.places:
+        if views := views_at(drawn, k, lettered):
+            found += paired(views)
+    rows = [one for one in curvature_columns(drawn) if np.isfinite(one.value).any()]
+    if found and rows:
         high = heights(drawn.scene, CURVATURE)
         found.append(result_table(CURVATURE, rows, drawn.names, language, heights=high))
     return found
@@ -34,6 +39,8 @@ def views_at(drawn: Drawn, k: int, lettered: bool) -> list[Drawing]:
     made, language, name = CURVATURE_PLAN.on(drawn), drawn.scene.language, drawn.names[k]
     words, found = captions(language), list[Drawing]()
     for figure in made.figures:
+        if k not in drawn_places(drawn, figure.mu):
+            continue
         title = f"{words[figure.view]}, {words['position']} {escape(name)}"
         on = subject(drawn, title, CURVATURE, name=f"{figure.view}-{name}")
         mu = mu_text(drawn.scales[figure.view].at(k), language)

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.curvature.task import BRESSE, CURVATURE
+from graphic_tmm.chapters.curvature.task import BALL, BRESSE, CURVATURE
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
 CAPTIONS: dict[str, str] = {
     "curvature": said("Centres of curvature"),
     "bresse": said("Circles of Bresse"),
+    "ball": said("Ball's point"),
+    "table curvature": said("Curvature of paths"),
     "chapter curvature": said("Curvature of paths"),
 }
 
-CARRIED = said("The construction has a scale of its own: the link is drawn once more.")
 WAY = said("The path lies along the velocity of its point.")
 ALONG_NORMAL = said("The normal acceleration is square to the velocity.")
 NORMAL_PART = said(
@@ -74,9 +75,9 @@ CUBIC = said(
     "The curvature of circles about fixed pivots does not change; corners of all points whose curvature does "
     "not change lie on one line."
 )
-BALL = said(
+BALL_POINT = said(
     "Of the points of the inflection circle, whose squares go through the end of its diameter, this has a "
     "corner on that line."
 )
 
-WORDS = Named(captions=CAPTIONS, plans=(CURVATURE, BRESSE), sources=("artobolevsky",))
+WORDS = Named(captions=CAPTIONS, plans=(CURVATURE, BRESSE, BALL), sources=("artobolevsky",))

@@ -17,7 +17,7 @@ from graphic_tmm.readers.writing import ANGLE, LENGTH
 
 Points = Mapping[tuple[str, int], Complexes]
 """Of a letter on a link, x + iy in the frame's axes, (angle,)."""
-OF_LINKS = ("omega", "epsilon", "forces", "balance", "columns", "profile")
+OF_LINKS = ("omega", "epsilon", "forces", "balance", "columns", "profile", "centres", "radii")
 """What is told of links, and of boards of their own."""
 COMPONENTS = {"places": "", "velocities": "v", "accelerations": "a"}
 """Names of a point's components in a data frame: D.x, D.vx, D.ax."""
@@ -116,6 +116,10 @@ class Motion:
     profile
         Points of the cam, in axes that turn with it, from its centre, m, x + iy: ``K`` of its profile, ``B`` of
         the theoretical one, or of the follower on arcs.
+    centres, radii
+        Of a link whose curvature is asked for: ``P``, its instantaneous centre, ``Π``, its pole of
+        accelerations, ``K_0``, the centre of curvature of the path of K, x + iy in the frame's axes, m; the
+        radius of curvature by the letter of its point, m. NaN where they are infinitely far.
     """
 
     at: Reals
@@ -129,6 +133,8 @@ class Motion:
     balance: Mapping[str, Reals]
     columns: Mapping[str, Reals]
     profile: Mapping[str, Complexes]
+    centres: Mapping[str, Complexes]
+    radii: Mapping[str, Reals]
 
     @property
     def angles(self) -> Reals:
@@ -205,8 +211,9 @@ class Motion:
                     found |= _components(f"{name}.{of}", values[letter, link])
         found |= {f"omega{link}": row for link, row in self._of("omega").items()}
         found |= {f"epsilon{link}": row for link, row in self._of("epsilon").items()}
-        for name, row in {**self._of("forces"), **self.profile}.items():
+        for name, row in {**self._of("forces"), **self.profile, **self._of("centres")}.items():
             found |= _components(f"{name}.", row)
+        found |= {f"rho_{letter}": row for letter, row in self._of("radii").items()}
         found |= self.columns
         return needed("pandas", "pandas").DataFrame({**found, **self._of("balance")})
 

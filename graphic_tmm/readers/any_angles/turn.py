@@ -82,7 +82,7 @@ def in_row(turned: Reals, way: float) -> Reals:
     return np.where(inside, turned, (off + 180.0) % 360.0 - 180.0 + way / 2.0)
 
 
-Plan = Literal["positions", "velocities", "accelerations", "forces"]
+Plan = Literal["positions", "velocities", "accelerations", "forces", "curvature"]
 """The plans that `motion` takes, by the place of a sheet that shows them."""
 BoardPlan = Literal["cam", "arc_cam", "planetary", "gears"]
 """Those of boards of their own, of which it takes one."""
@@ -96,6 +96,8 @@ Quantity = Literal[
     "balance",
     "columns",
     "profile",
+    "centres",
+    "radii",
 ]
 """The quantities at any angle: of a mechanism, and of a board of its own by their names in its table."""
 PLAN_OF: Mapping[Quantity, Plan | None] = {
@@ -108,10 +110,12 @@ PLAN_OF: Mapping[Quantity, Plan | None] = {
     "balance": "forces",
     "columns": None,
     "profile": None,
+    "centres": "curvature",
+    "radii": "curvature",
 }
 """The plan of a mechanism that gives a quantity; None of those of other boards."""
 VECTORS: frozenset[Quantity] = frozenset(
-    {"places", "velocities", "accelerations", "forces", "profile"}
+    {"places", "velocities", "accelerations", "forces", "profile", "centres"}
 )
 """Those that are x + iy."""
 Key = tuple[str, int] | int | str
