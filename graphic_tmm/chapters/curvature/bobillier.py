@@ -39,25 +39,11 @@ class Path(NamedTuple):
     centre: Mark
 
 
-class Bobillier(NamedTuple):
-    """A centre of curvature by Bobillier's construction: its axis, Q_K, the centre, how far it is (Length)."""
-
-    letter: str
-    axis: Mark
-    meeting: Mark
-    centre: Mark
-    radius: Mark
-
-
 class Holding(NamedTuple):
-    """The instantaneous centre P, the points by which the link is held, the axis of their rays, tangent t.
-
-    ``crossing``: Q, None infinitely far.
-    """
+    """The instantaneous centre P, the points by which the link is held, the axis of their rays, tangent t."""
 
     pole: Mark
     held: tuple[Held, Held]
-    crossing: Mark | None
     axis: Mark
     tangent: Mark
 
@@ -149,36 +135,36 @@ def draw_holding(figure: LinkFigure, held: list[Held]) -> Holding:
     pole = figure.put(meet, "P", a.normal, b.normal, why=why.POLE)
     through = figure.line(a.at, b.at, why.CENTRES)
     if a.centre is None:
-        axis = figure.put(parallel, "(PQ)", pole, through, sense=1, why=why.AXIS_ENDLESS)
-        crossing, way = None, (a.at, b.at)
+        axis, way = (
+            figure.put(parallel, "(PQ)", pole, through, sense=1, why=why.AXIS_ENDLESS),
+            (a.at, b.at),
+        )
     else:
-        if b.centre is None:
-            name = f"({a.centre.letter}∞)"
-            line = figure.put(parallel, name, a.centre, b.normal, sense=1, why=why.ENDLESS)
-        else:
-            line = figure.line(a.centre, b.centre, why.CENTRES)
+        name = f"({a.centre.letter}∞)"
+        line = (
+            figure.put(parallel, name, a.centre, b.normal, sense=1, why=why.ENDLESS)
+            if b.centre is None
+            else figure.line(a.centre, b.centre, why.CENTRES)
+        )
         crossing = figure.put(meet, "Q", line, through, why=why.CENTRES)
         axis, way = figure.line(pole, crossing, why.AXIS), (pole, crossing)
     turn = figure.put(swung, "δ", *way, pole, a.at, unit="°", sense=1, why=why.EQUAL_ANGLE)
     tangent = figure.put(incline, "(t)", pole, b.normal, turn, why=why.TANGENT)
-    return Holding(pole, (a, b), crossing, axis, tangent)
+    return Holding(pole, (a, b), axis, tangent)
 
 
-def draw_centre(figure: LinkFigure, holding: Holding, path: Path) -> Bobillier:
+def draw_centre(figure: LinkFigure, holding: Holding, path: Path) -> Mark:
     """Find the centre of curvature of another point by the axis of its ray and the first one."""
     letter, at, pole, (a, b) = path.letter, path.at, holding.pole, holding.held
-    ends = (pole, b.at, pole, at)
-    turn = figure.put(swung, f"δ_{{{letter}}}", *ends, unit="°", sense=1, why=why.TURN)
-    own = figure.put(incline, f"(PQ_{{{letter}}})", pole, holding.axis, turn, why=why.NEXT_AXIS)
-    through = figure.line(a.at, at, why.NEXT_AXIS)
-    meeting = figure.put(meet, f"Q_{{{letter}}}", own, through, why=why.NEXT_AXIS)
+    ends, index = (pole, b.at, pole, at), f"_{{{letter}}}"
+    turn = figure.put(swung, f"δ{index}", *ends, unit="°", sense=1, why=why.TURN)
+    own = figure.put(incline, f"(PQ{index})", pole, holding.axis, turn, why=why.NEXT_AXIS)
+    meeting = figure.put(meet, f"Q{index}", own, figure.line(a.at, at), why=why.NEXT_AXIS)
     if a.centre is None:
-        name = f"(Q_{{{letter}}}∞)"
-        to = figure.put(parallel, name, meeting, a.normal, sense=1, why=why.ENDLESS)
+        to = figure.put(parallel, f"(Q{index}∞)", meeting, a.normal, sense=1, why=why.ENDLESS)
     else:
         to = figure.line(meeting, a.centre, why.ON_RAY)
     onto, name = figure.line(at, pole, why.RAY), f"{path.centre.letter}′"
     centre = figure.put(meet, name, to, onto, why=why.ON_RAY)
-    return Bobillier(
-        letter, own, meeting, centre, figure.put(measure, between(at, name), at, centre)
-    )
+    figure.put(measure, between(at, name), at, centre)
+    return centre

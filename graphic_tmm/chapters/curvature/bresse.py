@@ -20,18 +20,13 @@ from graphic_tmm.chapters.curvature.link_figure import Circle, Held, LinkFigure
 
 
 class Bresse(NamedTuple):
-    """The circles as drawn: the points by which the link is held, P, the circles; ``rest``: Π.
-
-    ``gap``: from the centre of the inflection circle to Π (Length), as much as its radius.
-    """
+    """The circles as drawn: points by which the link is held, P, the inflection circle; ``rest``: Π."""
 
     figure: LinkFigure
     held: tuple[Held, Held]
     pole: Mark
     inflection: Circle
     rest: Mark
-    second: Circle
-    gap: Mark
 
 
 class Ball(NamedTuple):
@@ -62,11 +57,11 @@ def draw_bresse(figure: LinkFigure, holding: Holding, mu: Mark) -> Bresse:
     joined = figure.line(pole, rest, why.SECOND_END)
     across = figure.put(square, "(ΠT)", rest, joined, sense=1, why=why.SECOND_END)
     far = figure.put(meet, "T", across, tangent, why=why.SECOND_END)
-    second = figure.circle(pole, far, "V", why.SECOND)
+    figure.circle(pole, far, "V", why.SECOND)
     name = between(inflection.middle, rest.letter)
-    gap = figure.put(measure, name, inflection.middle, rest, why=why.CHECKED)
+    figure.put(measure, name, inflection.middle, rest, why=why.CHECKED)
     figure.coordinates(rest)
-    return Bresse(figure, (a, b), pole, inflection, rest, second, gap)
+    return Bresse(figure, (a, b), pole, inflection, rest)
 
 
 def _held(figure: LinkFigure, one: Held, mu: Mark) -> Held:

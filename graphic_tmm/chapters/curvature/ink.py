@@ -65,7 +65,7 @@ def draw_figure(on: Subject, made: Curvature, shown: LinkFigure, k: int) -> Draw
     marks |= {mark: dotted(DOT) for mark in shown.results}
     angles: list[tuple[float, float]] = []
     if shown is made.figure:
-        marks |= {one.centre: dotted(DOT) for one in made.centres}
+        marks |= {one: dotted(DOT) for one in made.centres}
         marks[holding.tangent] = _through(TANGENT)
         angles = [*_equal(seen, holding, k)]
     manner = Manner({}, lambda seen, step: step.it in marks or usual(seen, step), marks)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.curvature.bobillier import (
-    Bobillier,
     Holding,
     Path,
     draw_centre,
@@ -40,7 +40,7 @@ class Curvature:
     figure: LinkFigure
     holding: Holding
     paths: tuple[Path, ...]
-    centres: tuple[Bobillier, ...]
+    centres: tuple[Mark, ...]
     bresse: Bresse | None
     ball: Ball | None
 
@@ -77,11 +77,7 @@ def record(bench: Bench) -> Curvature | None:
     asked = order.points or tuple(k for k in body.link.points if k not in held_by)
     bases = known.bases(figure, asked)
     if len(bases) < 2:
-        says = said(
-            "link {n} has one point, and two have to be known: give it another in its [[link]]",
-            n=number,
-        )
-        raise _fault(says, "link")
+        raise _fault(said(_ONE, n=number), "link")
     planned = [k for k in dict.fromkeys((*bases, *asked)) if k in asked or k not in held_by]
     paths = {k: draw_path(figure, k, quarters) for k in planned if k not in known.guides}
     if still := next((k for k, path in paths.items() if path is None), None):
@@ -103,47 +99,41 @@ def record(bench: Bench) -> Curvature | None:
     return Curvature(order, number, places, figure, holding, own, centres, bresse, ball)
 
 
+def _body(plans: KinematicPlans, order: CurvatureTask) -> Body:
+    """Find the link that is asked for, and refuse one whose paths need no construction."""
+    bodies, frame = plans.positions.bodies, plans.mechanism.frame.number
+    own = [n for n in bodies if n != frame and {*order.points} <= bodies[n].link.points.keys()]
+    moving = own if order.link is None else [n for n in (order.link,) if n in own]
+    if not moving:
+        listed = ", ".join(order.points)
+        says = said(
+            _NO_LINK if order.link is None else _NO_POINTS, n=order.link or 0, listed=listed
+        )
+        raise _fault(says, "points" if order.points else "link")
+    body, fixed = bodies[moving[0]], bodies[frame].marks
+    if pivot := next((k for k in body.link.points if k in fixed), None):
+        raise _fault(said(_PIVOTED, n=moving[0], letter=pivot), "link")
+    if plans.velocities is None or moving[0] not in plans.velocities.rates:
+        raise _fault(said(_LEVEL, n=moving[0]), "link")
+    return body
+
+
+_NO_LINK = said("no link has all of the points {listed}: ask for those of one link")
+_NO_POINTS = said(
+    "there is no moving link {n} with the points {listed}: write them in its [[link]]"
+)
+_PIVOTED = said(
+    "link {n} turns about {letter}: that is the centre of curvature of all its paths; take another link"
+)
+_LEVEL = said(
+    "link {n} does not turn: all its points move alike, its instantaneous centre is infinitely far; take one "
+    "that turns"
+)
+_ONE = said("link {n} has one point, and two have to be known: give it another in its [[link]]")
 _NO_BALL = said(
     "Ball's point wants how curvatures change, known of two points that turn about pivots of the frame: leave "
     "ball out (a point that slides on a straight guide of the frame is Ball's point itself)"
 )
-
-
-def _body(plans: KinematicPlans, order: CurvatureTask) -> Body:
-    """Find the link that is asked for, and refuse one whose paths need no construction."""
-    bodies, frame = plans.positions.bodies, plans.mechanism.frame.number
-    own = (n for n, b in bodies.items() if n != frame and {*order.points} <= b.link.points.keys())
-    number = order.link if order.link is not None else next(own, None)
-    if number is None:
-        listed = ", ".join(order.points)
-        says = said("no link has all of the points {listed}: ask for one link", listed=listed)
-        raise _fault(says, "points")
-    if number not in bodies or number == frame:
-        moving = ", ".join(str(n) for n in sorted(bodies) if n != frame)
-        says = said("there is no moving link {n}; there are {moving}", n=number, moving=moving)
-        raise _fault(says, "link")
-    body, fixed = bodies[number], bodies[frame].marks
-    if missing := [k for k in order.points if k not in body.link.points]:
-        says = said(
-            "link {n} has no point {letter}: give it one in its [[link]]",
-            n=number,
-            letter=missing[0],
-        )
-        raise _fault(says, "points")
-    if pivot := next((k for k in body.link.points if k in fixed), None):
-        says = said(
-            "link {n} turns about {letter}: there is the centre of curvature of all its paths; ask for a coupler",
-            n=number, letter=pivot,
-        )  # fmt: skip
-        raise _fault(says, "link")
-    if plans.velocities is None or number not in plans.velocities.rates:
-        says = said(
-            "link {n} does not turn: all its points move alike, its instantaneous centre is infinitely far; "
-            "ask for a link that turns",
-            n=number,
-        )
-        raise _fault(says, "link")
-    return body
 
 
 def _fault(says: str, key: str) -> StructureError:

@@ -19,7 +19,7 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
     origin = plans.mechanism.frame.points[plans.structure.origin]
     marks = [(made.holding.pole, made.figure.mu)]
     marks += [(one.centre, made.figure.mu) for one in made.paths]
-    marks += [(one.centre, made.figure.mu) for one in made.centres]
+    marks += [(one, made.figure.mu) for one in made.centres]
     if (bresse := made.bresse) is not None:
         marks += [(one, bresse.figure.mu) for one in (bresse.rest, bresse.inflection.end)]
     if made.ball is not None:
