@@ -21,6 +21,7 @@ from graphic_tmm.chapters.curvature import formulas as f
 from graphic_tmm.chapters.curvature import words as why
 from graphic_tmm.chapters.curvature.link_figure import Held, LinkFigure
 from graphic_tmm.chapters.kinematics.bodies import sliding_points
+from graphic_tmm.chapters.kinematics.drives.slider import Slider
 from graphic_tmm.chapters.kinematics.motion import image_letter, reading_of
 from graphic_tmm.chapters.kinematics.rows import path_radius
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
@@ -73,6 +74,10 @@ def known_paths(figure: LinkFigure) -> Known:
     positions, own = figure.plans.positions, figure.body.link.points
     sliding = sliding_points(positions.closings, positions.bodies, figure.frame, figure.view)
     guides = {letter: leg.line for letter, leg in sliding if letter in own}
+    for pair in figure.plans.pairs:
+        if isinstance(pair, Slider):
+            line = pair.path(positions, figure.draft.uses)
+            guides |= {k: line for k in positions.bodies[pair.link].marks if k in own}
     pivots = {k: positions.pivot_of(k, figure.frame) for k in own if k not in guides}
     return Known(guides, {k: pivot for k, pivot in pivots.items() if pivot is not None})
 

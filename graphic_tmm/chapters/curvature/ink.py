@@ -29,6 +29,8 @@ TANGENT = 24.0
 """Half of the tangent of the centrodes as it is shown, mm."""
 RADII = (15.0, 19.0)
 """Of the arcs that show the equal angles, mm."""
+SMALL = 2.0
+"""A smaller angle is not shown, degrees."""
 DOT = 0.7
 """The radius of a point that a construction finds, mm."""
 SIGN = 2.2
@@ -92,7 +94,9 @@ def _equal(seen: Seen, holding: Holding, k: int) -> Iterator[tuple[float, float]
     for start, end in ((first, axis), (second, tangent)):
         if finite(start, end) and 0 not in (start, end):
             turn = math.degrees(cmath.phase(end / start))
-            yield math.degrees(cmath.phase(start)), turn - 180.0 * round(turn / 180.0)
+            turn -= 180.0 * round(turn / 180.0)
+            if abs(turn) >= SMALL:
+                yield math.degrees(cmath.phase(start)), turn
 
 
 def _bodies(seen: Seen, letters: Mapping[str, Mark], held: Sequence[Held], k: int) -> Iterator[Ink]:
@@ -101,6 +105,10 @@ def _bodies(seen: Seen, letters: Mapping[str, Mark], held: Sequence[Held], k: in
     if not finite(*spots.values()):
         return
     yield from body(rigid_figure([*spots.values()], "main"), "link", letters.values(), k)
+    free = [letter for letter in letters if all(letter != one.letter for one in held)]
+    for letter in free:
+        dot = [circle("main", spots[letter], DOT, filled=True)]
+        yield from body(dot, "point", [letters[letter]], k)
     for one in held:
         at = spots[one.letter]
         if one.guide is not None:

@@ -75,6 +75,8 @@ def record(bench: Bench) -> Curvature | None:
     known = known_paths(figure)
     held_by = {*known.guides, *known.pivots}
     asked = order.points or tuple(k for k in body.link.points if k not in held_by)
+    if straight := next((k for k in asked if k in known.guides), None):
+        raise _fault(said(_STRAIGHT, letter=straight), "points")
     bases = known.bases(figure, asked)
     if len(bases) < 2:
         raise _fault(said(_ONE, n=number), "link")
@@ -128,6 +130,9 @@ _PIVOTED = said(
 _LEVEL = said(
     "link {n} does not turn: all its points move alike, its instantaneous centre is infinitely far; take one "
     "that turns"
+)
+_STRAIGHT = said(
+    "{letter} slides on a straight guide: its centre of curvature is infinitely far; take it out of points"
 )
 _ONE = said("link {n} has one point, and two have to be known: give it another in its [[link]]")
 _NO_BALL = said(

@@ -44,13 +44,13 @@ def reach(project: Project, doubts: Doubts) -> Mapping[Mark, Mapping[int, float]
         for circle in figure.circles:
             centre, end = (reading[mark][0] for mark in (circle.middle, circle.end))
             rows += [np.broadcast_to(centre + (end - centre) * 1j**k, (count,)) for k in (1, 3)]
-        spots = np.array(rows)
-        own = np.array([row for mark, row in zip(points, rows, strict=False) if mark in figure.own])
+        spots, result = np.array(rows), points.index(figure.results[0])
+        own = spots[[points.index(mark) for mark in figure.own]]
         found[figure.mu] = {
             k: far
             for k in made.places
-            if np.isfinite(spots[:, k]).all()
-            and (far := extent([spots[:, k]])) <= FAR * extent([own[:, k]])
+            if np.isfinite(spots[result, k])
+            and (far := extent([spots[np.isfinite(spots[:, k]), k]])) <= FAR * extent([own[:, k]])
         }
     return found
 
