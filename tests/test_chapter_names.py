@@ -34,6 +34,7 @@ ALLOWED = {
     "readers/any_angles/turn.py: 'cam'",
     "readers/any_angles/turn.py: 'arc_cam'",
     "readers/any_angles/turn.py: 'gears'",
+    "readers/any_angles/turn.py: 'curvature'",
     "readers/any_angles/results.py: 'forces'",
     # what balances a drive, as motion tells it: not the balance of masses
     "readers/any_angles/turn.py: 'balance'",

@@ -168,8 +168,8 @@ def draw_centre(figure: LinkFigure, holding: Holding, path: Path) -> Mark:
     if a.centre is None:
         to = figure.put(parallel, f"(Q{index}∞)", meeting, a.normal, sense=1, why=why.ENDLESS)
     else:
-        to = figure.line(meeting, a.centre, why.ON_RAY)
+        to = figure.line(meeting, a.centre, why.RAY)
     onto, name = figure.line(at, pole, why.RAY), f"{path.centre.letter}′"
-    centre = figure.put(meet, name, to, onto, why=why.ON_RAY)
+    centre = figure.put(meet, name, to, onto, why=why.RAY)
     figure.put(measure, between(at, name), at, centre)
     return centre

@@ -82,7 +82,7 @@ def _inflected(figure: LinkFigure, pole: Mark, one: Held) -> Mark:
     away = figure.put(measure, between(one.at, "P"), one.at, pole)
     radius = figure.put(measure, between(one.at, one.centre.letter), one.at, one.centre)
     long = figure.put(f.to_inflection, f"{one.letter}{name}", away, radius)
-    return figure.put(lay_off, name, one.normal, long, why=why.ON_CIRCLE)
+    return figure.put(lay_off, name, one.normal, long)
 
 
 def draw_ball(figure: LinkFigure, bresse: Bresse) -> Ball:

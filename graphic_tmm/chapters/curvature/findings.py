@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from graphic_tmm.chapters.curvature.plan import CURVATURE_PLAN
+from graphic_tmm.chapters.curvature.record import CURVATURE_PLAN
 from graphic_tmm.chapters.curvature.scales import FAR
 from graphic_tmm.chapters.curvature.table import drawn_places
 from graphic_tmm.drawn import Drawn
@@ -21,11 +21,12 @@ _NOT_DRAWN = said(
 
 def _warnings(drawn: Drawn, language: str) -> Iterator[str]:
     made = CURVATURE_PLAN.of(drawn)
-    for figure in made.figures if made is not None else ():
+    if made is None:
+        return
+    for figure in made.figures:
         there = drawn_places(drawn, figure.mu)
-        gone = [k for k in made.places if k not in there] if made is not None else []
-        if gone:
-            names = ", ".join(drawn.names[k] for k in gone)
+        names = ", ".join(drawn.names[k] for k in made.places if k not in there)
+        if names:
             view = captions(language)[figure.view]
             yield speaking(language)(_NOT_DRAWN, view=view, names=names, times=FAR)
 

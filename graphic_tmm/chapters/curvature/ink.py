@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.curvature.bobillier import Holding
 from graphic_tmm.chapters.curvature.link_figure import Held, LinkFigure
-from graphic_tmm.chapters.curvature.plan import Curvature
+from graphic_tmm.chapters.curvature.record import Curvature
 from graphic_tmm.chapters.kinematics.ink_links import rigid_figure
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure
@@ -21,20 +21,12 @@ from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Rule, Seen, Subject, finite
 from graphic_tmm.paper.symbols.kinematic import fixed_pivot, guide, slider, turning_pair
 
-GUIDE = 14.0
-"""Half of a guide as it is shown, mm."""
-LEAST = 0.3
-"""What is shorter is a point, mm."""
-TANGENT = 24.0
-"""Half of the tangent of the centrodes as it is shown, mm."""
-RADII = (15.0, 19.0)
-"""Of the arcs that show the equal angles, mm."""
-SMALL = 2.0
-"""A smaller angle is not shown, degrees."""
-DOT = 0.7
-"""The radius of a point that a construction finds, mm."""
-SIGN = 2.2
-"""How far the sign of a pair reaches, mm."""
+GUIDE, TANGENT = 14.0, 24.0
+"""Half of a guide and of the tangent of the centrodes as they are shown, mm."""
+RADII, SMALL = (15.0, 19.0), 2.0
+"""Of the arcs that show equal angles, mm; a smaller angle is not shown, degrees."""
+LEAST, DOT, SIGN = 0.3, 0.7, 2.2
+"""A circle that is a point, the radius of a point that is found, how far the sign of a pair reaches, mm."""
 
 
 def _whole(pen: str) -> Rule:

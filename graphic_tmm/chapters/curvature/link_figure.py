@@ -68,11 +68,6 @@ class LinkFigure:
         self.origin = self.point(bodies[self.frame].marks[plans.structure.origin])
         self.letters = {letter: self.point(body.marks[letter]) for letter in body.link.points}
 
-    @property
-    def own(self) -> tuple[Mark, ...]:
-        """The points of the link, and the pivot from which coordinates are measured."""
-        return (self.origin, *self.letters.values())
-
     def put(
         self, op: Operation, letter: str, *uses: Mark, unit: str = "", why: str = "", **choice: Any
     ) -> Mark:
@@ -101,8 +96,8 @@ class LinkFigure:
 
     def coordinates(self, *named: Mark) -> None:
         """Measure where points that are found stand, along x and y from a point of the frame."""
-        x = self.put(ray, "(x)", self.origin, self.draft.direction(0.0), why=why.FROM_HERE)
-        y = self.put(square, "(y)", self.origin, x, sense=1, why=why.FROM_HERE)
+        x = self.put(ray, "(x)", self.origin, self.draft.direction(0.0))
+        y = self.put(square, "(y)", self.origin, x, sense=1)
         for mark in named:
             index = mark.letter.replace("_", "").replace("{", "").replace("}", "")
             for axis, line in (("x", x), ("y", y)):

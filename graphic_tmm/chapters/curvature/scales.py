@@ -9,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point
-from graphic_tmm.chapters.curvature.plan import CURVATURE_PLAN
+from graphic_tmm.chapters.curvature.record import CURVATURE_PLAN
 from graphic_tmm.chapters.curvature.task import CURVATURE
 from graphic_tmm.fitting.choice import usual_room
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, extent, unscaled
@@ -45,7 +45,7 @@ def reach(project: Project, doubts: Doubts) -> Mapping[Mark, Mapping[int, float]
             centre, end = (reading[mark][0] for mark in (circle.middle, circle.end))
             rows += [np.broadcast_to(centre + (end - centre) * 1j**k, (count,)) for k in (1, 3)]
         spots, result = np.array(rows), points.index(figure.results[0])
-        own = spots[[points.index(mark) for mark in figure.own]]
+        own = spots[[points.index(mark) for mark in (figure.origin, *figure.letters.values())]]
         found[figure.mu] = {
             k: far
             for k in made.places
@@ -55,7 +55,7 @@ def reach(project: Project, doubts: Doubts) -> Mapping[Mark, Mapping[int, float]
     return found
 
 
-def shown(held: Sized, mu: Mark) -> list[int]:
+def readable_places(held: Sized, mu: Mark) -> list[int]:
     """Return the positions (indices) in which the construction of a μ is drawn."""
     return [*held.reach[CURVATURE][mu]]
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.curvature.plan import CURVATURE_PLAN
-from graphic_tmm.chapters.curvature.scales import shown
+from graphic_tmm.chapters.curvature.record import CURVATURE_PLAN
+from graphic_tmm.chapters.curvature.scales import readable_places
 from graphic_tmm.chapters.curvature.task import CURVATURE
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
@@ -36,7 +36,7 @@ def curvature_columns(drawn: Drawn) -> Iterator[Column]:
 
 def drawn_places(drawn: Drawn, mu: Mark) -> list[int]:
     """Return the positions (indices) in which the construction of a μ is drawn."""
-    return [k for k in shown(drawn, mu) if k not in drawn.undrawn]
+    return [k for k in readable_places(drawn, mu) if k not in drawn.undrawn]
 
 
 def radius_marks(project: Project) -> dict[tuple[str, str], Mark]:

@@ -17,14 +17,12 @@ def asks(scene: Scene, language: str) -> Iterator[str]:
     if order is None:
         return
     _ = speaking(language)
-    if order.points:
-        yield _(_POINTS, points=", ".join(order.points))
-    else:
-        yield _(_LINK, link=order.link)
+    points = ", ".join(order.points)
+    yield _(_POINTS, points=points) if points else _(_LINK, link=order.link)
     if order.circles or order.ball:
-        yield _(_CIRCLES)
+        yield _("The circles of Bresse and the pole of accelerations are drawn.")
     if order.ball:
-        yield _(_BALL)
+        yield _("Ball's point is found.")
 
 
 _POINTS = said(
@@ -33,7 +31,5 @@ _POINTS = said(
 _LINK = said(
     "Centres of curvature of paths of link {link} are found from the plans and by Bobillier's construction."
 )
-_CIRCLES = said("The circles of Bresse and the pole of accelerations are drawn.")
-_BALL = said("Ball's point is found.")
 
 TASK_SHEET = TaskSheet(wanted={CURVATURE: asks})

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.chapters.curvature.plan import CURVATURE_PLAN
+from graphic_tmm.chapters.curvature.record import CURVATURE_PLAN
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from graphic_tmm.chapters.curvature.ink import draw_figure
-from graphic_tmm.chapters.curvature.plan import CURVATURE_PLAN
+from graphic_tmm.chapters.curvature.record import CURVATURE_PLAN
 from graphic_tmm.chapters.curvature.table import curvature_columns, drawn_places, radius_marks
 from graphic_tmm.chapters.curvature.task import CURVATURE
 from graphic_tmm.drawn import Drawn

@@ -41,9 +41,7 @@ TURN = said(
     "is turned by the angle between the other rays."
 )
 NEXT_AXIS = said("This is the axis of the first ray and of the ray to the new point.")
-ON_RAY = said("The centre of curvature lies on the ray through the instantaneous centre.")
 RAY = said("The normal to the path goes through the instantaneous centre.")
-ON_CIRCLE = said("Here the ray meets the inflection circle.")
 FAR_END = said(
     "The inflection circle goes through the instantaneous centre: by Thales squares on two rays meet at the "
     "other end of its diameter."
@@ -66,7 +64,6 @@ SECOND_END = said(
 CHECKED = said(
     "The circles of Bresse meet in the pole of accelerations: it is as far from the centre as the radius."
 )
-FROM_HERE = said("Coordinates are measured from this point of the frame.")
 CORNER = said(
     "The square on the ray cuts the tangent and the normal of the centrodes; the corner of the rectangle over "
     "both stands for the point."

@@ -32,6 +32,7 @@ from graphic_tmm.project import record as record_project
 from graphic_tmm.readers.any_angles.ready import Ready, made_ready
 from graphic_tmm.readers.any_angles.results import Motion, NotAsked
 from graphic_tmm.readers.any_angles.turn import (
+    LOADED,
     PLAN_OF,
     Plan,
     Turn,
@@ -278,7 +279,7 @@ def motion(
         plan = min(asked - of.plans)
         raise ConstructionError(
             said("motion: the scene asks for no {plan}: write [{plan}]", plan=plan)
-            if plan in _boards() or plan == "curvature"
+            if plan != LOADED
             else said(
                 "motion: the scene asks for no {plan}: write [forces] with what acts, [[load]], [effects]",
                 plan=plan,

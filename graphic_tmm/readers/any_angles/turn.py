@@ -84,6 +84,8 @@ def in_row(turned: Reals, way: float) -> Reals:
 
 Plan = Literal["positions", "velocities", "accelerations", "forces", "curvature"]
 """The plans that `motion` takes, by the place of a sheet that shows them."""
+LOADED: Plan = "forces"
+"""The one that wants loads."""
 BoardPlan = Literal["cam", "arc_cam", "planetary", "gears"]
 """Those of boards of their own, of which it takes one."""
 Quantity = Literal[
