@@ -11,7 +11,7 @@ from graphic_tmm.face.reading import Source, read
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.any_angles import motion as any_angles
 from graphic_tmm.readers.any_angles.results import Motion
-from graphic_tmm.readers.any_angles.turn import BoardPlan, Plan
+from graphic_tmm.readers.any_angles.turn import BoardPlan, LinkPlan, Plan
 
 
 def motion(
@@ -19,7 +19,7 @@ def motion(
     at: ArrayLike | None = None,
     points: Collection[str] | None = None,
     *,
-    plans: Plan | BoardPlan | Collection[Plan | BoardPlan] | None = None,
+    plans: Plan | LinkPlan | BoardPlan | Collection[Plan | LinkPlan | BoardPlan] | None = None,
     exact: bool = False,
     fast: bool | None = None,
     threads: int | None = None,

@@ -17,15 +17,15 @@ its points have no normal acceleration, their paths are straight there for a mom
 PJ.
 
 The pole of accelerations Π, whose acceleration is zero, is found by similarity: the triangle ABΠ is similar to
-abπ of the plan. The points without a tangential acceleration lie on a second circle through P and Π with its
-centre on t: the circles of Bresse. They meet in Π, for there both parts are zero: the drawing is checked by
-that.
+abπ of the plan. Points without a tangential acceleration lie on a second circle through P and Π with its centre
+on t: the circles of Bresse. They meet in Π, for there both parts are zero: the drawing is checked by that.
 
 Ball's point, whose path is straight to a higher order, is where the inflection circle meets the cubic of
-stationary curvature. That wants how the curvatures of two points change; velocities and accelerations do not
-tell it. It is known where A and B turn about pivots of the frame: there it does not change (`bresse._ball`).
+stationary curvature. That wants how curvatures of two points change; velocities and accelerations do not tell
+it. It is known where A and B turn about pivots of the frame: there it does not change (`bresse.draw_ball`).
 
-Draws: place ``curvature``: both constructions at each position, their table. Builds on the plans of kinematics.
+Draws: place ``curvature``: the constructions at each position, their table (scene ``coupler-curvature``). Builds
+on the plans of kinematics.
 
 Sources: Артоболевский И. И., Теория механизмов и машин (мгновенный центр ускорений, поворотный круг); Bottema
 O., Roth B., Theoretical Kinematics (Euler–Savary, Bobillier, Ball's point); Hartenberg R. S., Denavit J.,

@@ -16,10 +16,7 @@ from graphic_tmm.language.said import said
     ),
 )
 def carry_over(point: Point, mu_l: Number, mu: Number) -> Point:
-    """Carry {point} over to this figure, which has a scale {mu} of its own: mark {it}.
-
-    Directions are kept.
-    """
+    """Carry {point} over to this figure, which has a scale {mu} of its own: mark {it}."""
     return Point(point * (mu_l / mu))
 
 

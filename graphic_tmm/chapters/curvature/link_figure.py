@@ -38,11 +38,10 @@ class Held(NamedTuple):
 
 
 class Circle(NamedTuple):
-    """A circle through P: the other end of its diameter, its centre, its radius (Length), the arc."""
+    """A circle through P: the other end of its diameter, its centre, the arc."""
 
     end: Mark
     middle: Mark
-    radius: Mark
     arc: Mark
 
 
@@ -91,7 +90,7 @@ class LinkFigure:
         centre = self.put(halve, middle, pole, end, why=why.MIDDLE)
         radius = self.put(measure, f"{middle}P", centre, pole)
         arc = self.put(strike, f"({middle})", centre, radius, why=because)
-        self.circles.append(Circle(end, centre, radius, arc))
+        self.circles.append(Circle(end, centre, arc))
         return self.circles[-1]
 
     def coordinates(self, *named: Mark) -> None:

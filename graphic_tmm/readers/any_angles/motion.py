@@ -32,8 +32,8 @@ from graphic_tmm.project import record as record_project
 from graphic_tmm.readers.any_angles.ready import Ready, made_ready
 from graphic_tmm.readers.any_angles.results import Motion, NotAsked
 from graphic_tmm.readers.any_angles.turn import (
-    LOADED,
     PLAN_OF,
+    LinkPlan,
     Plan,
     Turn,
     Turning,
@@ -237,7 +237,8 @@ def _still(sheet: Drawn, known: Mapping[Mark, Any]) -> dict[Mark, Any]:
 
 PLANS: tuple[Plan, ...] = ("positions", "velocities", "accelerations")
 """What `motion` returns by default."""
-ALL: tuple[str, ...] = get_args(Plan)
+LINKS: tuple[str, ...] = get_args(LinkPlan)
+ALL: tuple[str, ...] = (*get_args(Plan), *LINKS)
 OF_POINTS = frozenset({"places", "velocities", "accelerations"})
 
 
@@ -279,7 +280,7 @@ def motion(
         plan = min(asked - of.plans)
         raise ConstructionError(
             said("motion: the scene asks for no {plan}: write [{plan}]", plan=plan)
-            if plan != LOADED
+            if plan in (*_boards(), *LINKS)
             else said(
                 "motion: the scene asks for no {plan}: write [forces] with what acts, [[load]], [effects]",
                 plan=plan,
@@ -296,7 +297,9 @@ def motion(
     return Motion(row, of.sweep, *map(partial(_unless, asked), PLAN_OF.values(), told))
 
 
-def _unless(asked: frozenset[str], plan: Plan | None, told: dict[Any, Any]) -> Mapping[Any, Any]:
+def _unless(
+    asked: frozenset[str], plan: Plan | LinkPlan | None, told: dict[Any, Any]
+) -> Mapping[Any, Any]:
     return told if plan is None or plan in asked else NotAsked(plan)
 
 

@@ -12,7 +12,7 @@ from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.errors import ConstructionError, needed
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Sweep
-from graphic_tmm.readers.any_angles.turn import Plan
+from graphic_tmm.readers.any_angles.turn import LinkPlan, Plan
 from graphic_tmm.readers.writing import ANGLE, LENGTH
 
 Points = Mapping[tuple[str, int], Complexes]
@@ -28,7 +28,7 @@ SHOWN = 6
 class NotAsked(Mapping[Any, Any]):
     """A quantity that was not computed: it is false, and raises an error that says how to get it when used."""
 
-    def __init__(self, plan: Plan) -> None:
+    def __init__(self, plan: Plan | LinkPlan) -> None:
         self.plan = plan
 
     def __getitem__(self, key: object) -> Any:

@@ -82,10 +82,10 @@ def in_row(turned: Reals, way: float) -> Reals:
     return np.where(inside, turned, (off + 180.0) % 360.0 - 180.0 + way / 2.0)
 
 
-Plan = Literal["positions", "velocities", "accelerations", "forces", "curvature"]
+Plan = Literal["positions", "velocities", "accelerations", "forces"]
 """The plans that `motion` takes, by the place of a sheet that shows them."""
-LOADED: Plan = "forces"
-"""The one that wants loads."""
+LinkPlan = Literal["curvature"]
+"""What it takes of a link that a section of the scene names."""
 BoardPlan = Literal["cam", "arc_cam", "planetary", "gears"]
 """Those of boards of their own, of which it takes one."""
 Quantity = Literal[
@@ -102,7 +102,7 @@ Quantity = Literal[
     "radii",
 ]
 """The quantities at any angle: of a mechanism, and of a board of its own by their names in its table."""
-PLAN_OF: Mapping[Quantity, Plan | None] = {
+PLAN_OF: Mapping[Quantity, Plan | LinkPlan | None] = {
     "places": "positions",
     "velocities": "velocities",
     "accelerations": "accelerations",
