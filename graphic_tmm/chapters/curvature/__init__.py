@@ -24,8 +24,8 @@ Ball's point, whose path is straight to a higher order, is where the inflection 
 stationary curvature. That wants how curvatures of two points change; velocities and accelerations do not tell
 it. It is known where A and B turn about pivots of the frame: there it does not change (`bresse.draw_ball`).
 
-Draws: place ``curvature``: the constructions at each position, their table (scene ``coupler-curvature``). Builds
-on the plans of kinematics.
+Draws: place ``curvature``: the constructions at each position, their table (scene ``coupler-curvature``).
+Builds on the plans of kinematics.
 
 Sources: Артоболевский И. И., Теория механизмов и машин (мгновенный центр ускорений, поворотный круг); Bottema
 O., Roth B., Theoretical Kinematics (Euler–Savary, Bobillier, Ball's point); Hartenberg R. S., Denavit J.,

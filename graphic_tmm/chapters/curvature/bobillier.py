@@ -122,14 +122,14 @@ def centre_letter(letter: str) -> str:
 
 def draw_held(figure: LinkFigure, known: Known, letter: str, path: Path | None) -> Held:
     """Draw the normal to the path of a point by which the link is held."""
-    at = figure.letters[letter]
+    at, pivot = figure.letters[letter], known.pivots.get(letter)
     if letter in known.guides:
         guide = known.guides[letter]
         normal = figure.put(square, f"({letter}∞)", at, guide, sense=1, why=why.GUIDED)
         return Held(letter, at, None, normal, guide)
-    if letter in known.pivots:
-        centre = figure.point(known.pivots[letter])
-        return Held(letter, at, centre, figure.line(at, centre, why.NORMAL), pivoted=True)
+    if pivot is not None:
+        centre = figure.point(pivot)
+        return Held(letter, at, centre, figure.line(at, centre, why.NORMAL), pivot=pivot)
     assert path is not None
     return Held(letter, at, path.centre, path.normal)
 

@@ -70,7 +70,7 @@ def _held(figure: LinkFigure, one: Held, mu: Mark) -> Held:
     if one.centre is None:
         normal = figure.put(parallel, f"({one.letter}∞)", at, one.normal, sense=1, why=why.GUIDED)
         return one._replace(at=at, normal=normal)
-    centre = figure.point(one.centre, mu)
+    centre = figure.point(one.centre, mu) if one.pivot is None else figure.point(one.pivot)
     return one._replace(at=at, centre=centre, normal=figure.line(at, centre, why.NORMAL))
 
 

@@ -97,8 +97,7 @@ def _bodies(seen: Seen, letters: Mapping[str, Mark], held: Sequence[Held], k: in
     if not finite(*spots.values()):
         return
     yield from body(rigid_figure([*spots.values()], "main"), "link", letters.values(), k)
-    free = [letter for letter in letters if all(letter != one.letter for one in held)]
-    for letter in free:
+    for letter in sorted(letters.keys() - {one.letter for one in held}):
         dot = [circle("main", spots[letter], DOT, filled=True)]
         yield from body(dot, "point", [letters[letter]], k)
     for one in held:
@@ -108,7 +107,7 @@ def _bodies(seen: Seen, letters: Mapping[str, Mark], held: Sequence[Held], k: in
             turn = math.degrees(cmath.phase(way))
             strokes = [*guide(at - GUIDE * way, at + GUIDE * way), *slider(at, turn)]
             yield from body(strokes, "guide", [one.at], k)
-        elif one.pivoted and one.centre is not None:
+        elif one.pivot is not None and one.centre is not None:
             centre = seen.point(one.centre, k)
             crank: list[Ink] = [line("main", centre, at), *fixed_pivot(centre)]
             yield from body(crank, "link", [one.at, one.centre], k)

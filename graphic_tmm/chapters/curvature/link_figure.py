@@ -26,7 +26,7 @@ class Held(NamedTuple):
     """One of the two points by which the link is held: its ``normal`` begins at it.
 
     ``centre``: of curvature of its path, None infinitely far; ``guide``: along which it slides, a line on the
-    plan of positions; ``pivoted``: whether its centre is a pivot of the frame.
+    plan of positions; ``pivot``: its centre, a point of the frame there.
     """
 
     letter: str
@@ -34,7 +34,7 @@ class Held(NamedTuple):
     centre: Mark | None
     normal: Mark
     guide: Mark | None = None
-    pivoted: bool = False
+    pivot: Mark | None = None
 
 
 class Circle(NamedTuple):

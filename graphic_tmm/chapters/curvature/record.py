@@ -92,7 +92,7 @@ def record(bench: Bench) -> Curvature | None:
     if order.circles or order.ball:
         circles = LinkFigure(bench.draft, plans, body, BRESSE, f"{number}W")
         bresse = draw_bresse(circles, holding, figure.mu)
-        if order.ball and not all(one.pivoted for one in holding.held):
+        if order.ball and any(one.pivot is None for one in holding.held):
             raise _fault(_NO_BALL, "ball")
         if order.ball:
             ball = draw_ball(LinkFigure(bench.draft, plans, body, BALL, f"{number}U"), bresse)

@@ -24,9 +24,9 @@ def curvature_columns(drawn: Drawn) -> Iterator[Column]:
         there = drawn_places(drawn, figure.mu)
         gone = np.isin(np.arange(count), there, invert=True)[None]
         for one in made.paths if figure is made.figure else ():
-            name, mark = f"rho{one.letter}", one.radius
-            row = row_of(reading.figure(mark), drawn.all, count)
-            yield Column(figure.view, name, mark.letter, mark.unit, empty(count), row).blank(gone)
+            row = row_of(reading.figure(one.radius), drawn.all, count)
+            of = (f"rho{one.letter}", one.radius.letter, "m", empty(count), row)
+            yield Column(figure.view, *of).blank(gone)
         for step in drawn.construction.steps:
             if step.it.view == figure.view and step.it.kind is Length and step.op.reads:
                 rows = ordinates(reading, step.it, figure.mu, count)
