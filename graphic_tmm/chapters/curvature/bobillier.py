@@ -33,7 +33,7 @@ class Path(NamedTuple):
     ``radius``: ρ (m); ``normal``: the line from the point on which the ``centre`` was laid off.
     """
 
-    letter: str
+    point: str
     at: Mark
     radius: Mark
     normal: Mark
@@ -160,7 +160,7 @@ def draw_holding(figure: LinkFigure, held: list[Held]) -> Holding:
 
 def draw_centre(figure: LinkFigure, holding: Holding, path: Path) -> Mark:
     """Find the centre of curvature of another point by the axis of its ray and the first one."""
-    letter, at, pole, (a, b) = path.letter, path.at, holding.pole, holding.held
+    letter, at, pole, (a, b) = path.point, path.at, holding.pole, holding.held
     ends, index = (pole, b.at, pole, at), f"_{{{letter}}}"
     turn = figure.put(swung, f"δ{index}", *ends, unit="°", sense=1, why=why.TURN)
     own = figure.put(incline, f"(PQ{index})", pole, holding.axis, turn, why=why.NEXT_AXIS)

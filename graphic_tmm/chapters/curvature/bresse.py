@@ -49,7 +49,7 @@ def draw_bresse(figure: LinkFigure, holding: Holding, mu: Mark) -> Bresse:
     inflection = figure.circle(pole, end, "W", why.INFLECTION)
     gained = figure.plans.accelerations
     assert gained is not None
-    images = [gained.images.by_letter[figure.number][one.letter] for one in (a, b)]
+    images = [gained.images.by_letter[figure.number][one.point] for one in (a, b)]
     base = (a.at, b.at, *images, gained.images.pole)
     rest = figure.put(similar, "Π", *base, why=why.NO_ACCELERATION)
     normal = figure.line(pole, end, why.TANGENT)
@@ -66,9 +66,9 @@ def draw_bresse(figure: LinkFigure, holding: Holding, mu: Mark) -> Bresse:
 
 def _held(figure: LinkFigure, one: Held, mu: Mark) -> Held:
     """Return a point by which the link is held, as it stands in the view of the circles."""
-    at = figure.letters[one.letter]
+    at = figure.letters[one.point]
     if one.centre is None:
-        normal = figure.put(parallel, f"({one.letter}∞)", at, one.normal, sense=1, why=why.GUIDED)
+        normal = figure.put(parallel, f"({one.point}∞)", at, one.normal, sense=1, why=why.GUIDED)
         return one._replace(at=at, normal=normal)
     centre = figure.point(one.centre, mu) if one.pivot is None else figure.point(one.pivot)
     return one._replace(at=at, centre=centre, normal=figure.line(at, centre, why.NORMAL))
@@ -78,10 +78,10 @@ def _inflected(figure: LinkFigure, pole: Mark, one: Held) -> Mark:
     """Return where a ray meets the inflection circle: in the point itself, where its path is straight."""
     if one.centre is None:
         return one.at
-    name = f"I_{{{one.letter}}}"
+    name = f"I_{{{one.point}}}"
     away = figure.put(measure, between(one.at, "P"), one.at, pole)
     radius = figure.put(measure, between(one.at, one.centre.letter), one.at, one.centre)
-    long = figure.put(f.to_inflection, f"{one.letter}{name}", away, radius)
+    long = figure.put(f.to_inflection, f"{one.point}{name}", away, radius)
     return figure.put(lay_off, name, one.normal, long)
 
 
@@ -102,7 +102,7 @@ def draw_ball(figure: LinkFigure, bresse: Bresse) -> Ball:
     tangent = figure.put(square, "(t)", pole, normal, sense=1, why=why.TANGENT)
     corners = list[Mark]()
     for one in figure.held:
-        k = one.letter
+        k = one.point
         across = figure.put(square, f"({k}X)", one.at, one.normal, sense=1, why=why.CORNER)
         x = figure.put(meet, f"X_{{{k}}}", across, tangent, why=why.CORNER)
         y = figure.put(meet, f"Y_{{{k}}}", across, normal, why=why.CORNER)

@@ -97,11 +97,11 @@ def _bodies(seen: Seen, letters: Mapping[str, Mark], held: Sequence[Held], k: in
     if not finite(*spots.values()):
         return
     yield from body(rigid_figure([*spots.values()], "main"), "link", letters.values(), k)
-    for letter in sorted(letters.keys() - {one.letter for one in held}):
+    for letter in sorted(letters.keys() - {one.point for one in held}):
         dot = [circle("main", spots[letter], DOT, filled=True)]
         yield from body(dot, "point", [letters[letter]], k)
     for one in held:
-        at = spots[one.letter]
+        at = spots[one.point]
         if one.guide is not None:
             way = seen.line(one.guide, k)[1]
             turn = math.degrees(cmath.phase(way))

@@ -29,7 +29,7 @@ class Held(NamedTuple):
     plan of positions; ``pivot``: its centre, a point of the frame there.
     """
 
-    letter: str
+    point: str
     at: Mark
     centre: Mark | None
     normal: Mark

@@ -86,7 +86,7 @@ def record(bench: Bench) -> Curvature | None:
     held = [draw_held(figure, known, k, drawn.get(k)) for k in bases]
     holding = draw_holding(figure, held)
     own = tuple(drawn[k] for k in asked if k in drawn)
-    centres = tuple(draw_centre(figure, holding, one) for one in own if one.letter not in bases)
+    centres = tuple(draw_centre(figure, holding, one) for one in own if one.point not in bases)
     figure.coordinates(holding.pole, *(one.centre for one in own))
     bresse = ball = None
     if order.circles or order.ball:

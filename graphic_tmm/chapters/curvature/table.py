@@ -25,7 +25,7 @@ def curvature_columns(drawn: Drawn) -> Iterator[Column]:
         gone = np.isin(np.arange(count), there, invert=True)[None]
         for one in made.paths if figure is made.figure else ():
             row = row_of(reading.figure(one.radius), drawn.all, count)
-            of = (f"rho{one.letter}", one.radius.letter, "m", empty(count), row)
+            of = (f"rho{one.point}", one.radius.name, "m", empty(count), row)
             yield Column(figure.view, *of).blank(gone)
         for step in drawn.construction.steps:
             if step.it.view == figure.view and step.it.kind is Length and step.op.reads:
@@ -42,7 +42,7 @@ def drawn_places(drawn: Drawn, mu: Mark) -> list[int]:
 def radius_marks(project: Project) -> dict[tuple[str, str], Mark]:
     """Return the radii of curvature (m) by plan and the name that machines read."""
     paths = CURVATURE_PLAN.on(project).paths
-    return {(CURVATURE, f"rho{one.letter}"): one.radius for one in paths}
+    return {(CURVATURE, f"rho{one.point}"): one.radius for one in paths}
 
 
 TABLE = Tabled(columns=curvature_columns)

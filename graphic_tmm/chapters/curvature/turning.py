@@ -27,16 +27,13 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
     for mark, mu in marks:
         yield TurnQuantity("curvature", "centres", mark.letter, mark, mu, origin=origin)
     for one in made.paths:
-        yield TurnQuantity("curvature", "radii", one.letter, one.radius)
+        yield TurnQuantity("curvature", "radii", one.point, one.radius)
 
 
 def between(drawn: Drawn, turn: Turn) -> Between:
     """Return μ_l of the constructions, at all angles the finest of their positions."""
-    found = {}
-    for figure in CURVATURE_PLAN.on(drawn).figures:
-        finest = float(np.min(np.asarray(drawn.given[figure.mu])))
-        found[figure.mu] = np.full((1, turn.turned.size), finest)
-    return found
+    figures, row = CURVATURE_PLAN.on(drawn).figures, (1, turn.turned.size)
+    return {one.mu: np.full(row, np.min(np.asarray(drawn.given[one.mu]))) for one in figures}
 
 
 TURNING = Turning(told=quantities, between=between)
