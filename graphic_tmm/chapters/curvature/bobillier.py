@@ -154,7 +154,7 @@ def draw_holding(figure: LinkFigure, held: list[Held]) -> Holding:
         crossing = figure.put(meet, "Q", line, through, why=why.CENTRES)
         axis, way = figure.line(pole, crossing, why.AXIS), (pole, crossing)
     turn = figure.put(swung, "δ", *way, pole, a.at, unit="°", sense=1, why=why.EQUAL_ANGLE)
-    tangent = figure.put(incline, "(t)", pole, b.normal, turn, why=why.TANGENT)
+    tangent = figure.put(incline, "(t)", pole, b.normal, turn, why=why.EQUAL_ANGLE)
     return Holding(pole, (a, b), axis, tangent)
 
 
