@@ -58,7 +58,7 @@ def slider_crank(point: complex, **asked: Any) -> dict[str, Any]:
 
 def told(scene: dict[str, Any], at: Sequence[float]) -> Any:
     """What `motion` says of curvature."""
-    plans = ["positions", "curvature"]
+    plans: list[Any] = ["positions", "curvature"]
     return graphic_tmm.motion(graphic_tmm.read(scene), at, plans=plans, exact=True)
 
 
