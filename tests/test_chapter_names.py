@@ -35,6 +35,7 @@ ALLOWED = {
     "readers/any_angles/turn.py: 'arc_cam'",
     "readers/any_angles/turn.py: 'gears'",
     "readers/any_angles/turn.py: 'centrodes'",
+    "readers/any_angles/turn.py: 'curvature'",
     "readers/any_angles/results.py: 'forces'",
     "readers/any_angles/turn.py: 'centres'",
     "readers/any_angles/results.py: 'centres'",

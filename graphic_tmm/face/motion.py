@@ -11,7 +11,7 @@ from graphic_tmm.face.reading import Source, read
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.any_angles import motion as any_angles
 from graphic_tmm.readers.any_angles.results import Motion
-from graphic_tmm.readers.any_angles.turn import BoardPlan, Plan
+from graphic_tmm.readers.any_angles.turn import OwnPlan, Plan
 
 
 def motion(
@@ -19,7 +19,7 @@ def motion(
     at: ArrayLike | None = None,
     points: Collection[str] | None = None,
     *,
-    plans: Plan | BoardPlan | Collection[Plan | BoardPlan] | None = None,
+    plans: Plan | OwnPlan | Collection[Plan | OwnPlan] | None = None,
     exact: bool = False,
     fast: bool | None = None,
     threads: int | None = None,
@@ -45,13 +45,13 @@ def motion(
         Letters of the points wanted; None for all.
     plans
         What is wanted; None for the first three, of a scene without a mechanism for what it has.
-        Of "positions", "velocities" (with ω), "accelerations" (with ε), "centres", and "forces": the
+        Of "positions", "velocities" (with ω), "accelerations" (with ε), and "forces": the
         reactions and what balances the crank, of a scene that has loads. A load by the travel of a slider turns
         at the ends of its travel; one by the angle or by the position is read off its diagram along straight
         lines, gas off the indicator diagram as drawn. They go with the cycle, which begins at the zero
-        position; its angles go on to 720° where it takes two turns. "centrodes": the instantaneous centres of
-        the links that its section names. Or "cam", "arc_cam", "planetary", "gears": the places are then angles
-        of the cam from where its phases, or the rise, begin, or of the shaft that drives.
+        position; its angles go on to 720° where it takes two turns. "centres", "centrodes", "curvature": what these
+        chapters find. Or "cam", "arc_cam", "planetary", "gears": the places are then angles of the cam from where its phases, or the rise, begin, or of the shaft that
+        drives.
     exact
         Read without the ruler's rounding.
     fast

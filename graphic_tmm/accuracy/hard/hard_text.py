@@ -19,7 +19,7 @@ from graphic_tmm.readers.findings import reason
 from graphic_tmm.scene.packaged import scene_name
 
 MANY, ZERO, GONE = "·", "∘", "×"
-LABELS = dict(zip(PLANS, ("r", "v, ω", "a, ε", "R, P", "P_ij"), strict=True))
+LABELS = dict(zip(PLANS, ("r", "v, ω", "a, ε", "R, P"), strict=True))
 """What the strips are called."""
 NEAR = 0.05
 """Nearer to a hard place than this share of the farthest off (10°) a place is called by how far it is off."""

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from graphic_tmm.board.record import segment_name
 from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
-from graphic_tmm.chapters.centres.task import ASKED, CentresTask
+from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Turning, TurnQuantity
@@ -25,7 +25,7 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
     for one in made.centres:
         if not one.far:
             key = segment_name(one.name)
-            yield TurnQuantity("centres", "centres", key, one.mark, made.mu, origin=origin)
+            yield TurnQuantity(CENTRES, "centres", key, one.mark, made.mu, origin=origin)
 
 
-TURNING = Turning(told=quantities, free=free)
+TURNING = Turning(told=quantities, free=free, plan=CENTRES)

@@ -84,7 +84,7 @@ def in_si(
     for row in rows:
         drawn = row.mark
         if row.scale is None or (
-            row.start is None and row.origin == 0 and given.get(row.scale) == 1.0
+            row.start is None and row.origin == 0 and bool(np.all(given.get(row.scale) == 1.0))
         ):
             found[row] = drawn
             continue

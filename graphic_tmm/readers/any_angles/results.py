@@ -112,15 +112,16 @@ class Motion:
         Of a cam, of a train, of a pair of gears, by the names of their tables, in SI, but pressure angles and
         angles of wheels in degrees, their speeds in rpm: ``S``, ``dS``, ``ddS`` by radians, ``v``, ``a`` or, of
         a lever, ``omega``, ``eps``, ``pressure``; ``n1``, ``planetary_n_H``; and how far wheels have turned,
-        ``phi1``, ``planetary_phi_H``. Of centrodes the instantaneous centre P_20 of link 2 on the frame 0, m:
-        ``x20``, ``y20`` from the first pivot along the axes of the frame, ``xi20``, ``eta20`` from the first of
-        two points of the link, along and square to their line. NaN where a quantity is none.
+        ``phi1``, ``planetary_phi_H``. Of centrodes P_20 of link 2 on the frame 0, m: ``x20``, ``y20`` from the
+        first pivot along the axes of the frame, ``xi20``, ``eta20`` from the first of two points of the link,
+        along and square to their line. Radii of curvature by points, m: ``rho_K``. NaN where a quantity is none.
     profile
         Points of the cam, in axes that turn with it, from its centre, m, x + iy: ``K`` of its profile, ``B`` of
         the theoretical one, or of the follower on arcs.
     centres
-        Instantaneous centres by their names, ``P20``, in the frame's axes, m, x + iy; those that always lie at
-        infinity are left out, and NaN stands where one does now.
+        In the frame's axes, m, x + iy: instantaneous centres, ``P20``; of a link whose curvature is asked for
+        ``P``, ``Π``, its pole of accelerations, ``K_0``, the centre of curvature of the path of K. NaN where
+        they are infinitely far; those that always are are left out.
     """
 
     at: Reals
@@ -196,7 +197,7 @@ class Motion:
         pandas.DataFrame
             ``angle_deg``, or ``length_m`` where the drive slides; of points ``D.x``, ``D.y``, ``D.vx``,
             ``D.vy``, ``D.ax``, ``D.ay``, where links differ in theirs ``D(5).x``; ``omega3``, ``epsilon3``;
-            ``R12.x``, ``R12.y``; the balance; ``P20.x``; of a cam, a train, a pair of gears their columns.
+            ``R12.x``, ``R12.y``; the balance; ``P20.x``; of other chapters their columns.
 
         Raises
         ------
@@ -211,7 +212,7 @@ class Motion:
                     found |= _components(f"{name}.{of}", values[letter, link])
         found |= {f"omega{link}": row for link, row in self._of("omega").items()}
         found |= {f"epsilon{link}": row for link, row in self._of("epsilon").items()}
-        for name, row in {**self._of("forces"), **self.profile, **self._of("centres")}.items():
+        for name, row in {**self._of("forces"), **self.profile, **self.centres}.items():
             found |= _components(f"{name}.", row)
         found |= self.columns
         return needed("pandas", "pandas").DataFrame({**found, **self._of("balance")})

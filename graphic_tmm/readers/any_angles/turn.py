@@ -84,8 +84,8 @@ def in_row(turned: Reals, way: float) -> Reals:
 
 Plan = Literal["positions", "velocities", "accelerations", "forces"]
 """The plans that `motion` takes, by the place of a sheet that shows them."""
-BoardPlan = Literal["cam", "arc_cam", "planetary", "gears"]
-"""Those of boards of their own, of which it takes one."""
+OwnPlan = Literal["cam", "arc_cam", "planetary", "gears", "centres", "centrodes", "curvature"]
+"""Those of chapters by their own names; of boards of their own it takes one."""
 Quantity = Literal[
     "places",
     "velocities",
@@ -98,7 +98,7 @@ Quantity = Literal[
     "profile",
     "centres",
 ]
-"""The quantities at any angle: of a mechanism, and of a board of its own by their names in its table."""
+"""The quantities at any angle: of a mechanism, and of other chapters by their names."""
 PLAN_OF: Mapping[Quantity, Plan | None] = {
     "places": "positions",
     "velocities": "velocities",
@@ -109,9 +109,9 @@ PLAN_OF: Mapping[Quantity, Plan | None] = {
     "balance": "forces",
     "columns": None,
     "profile": None,
-    "centres": "centres",
+    "centres": None,
 }
-"""The plan of a mechanism that gives a quantity; None of those of other boards."""
+"""The plan of kinematics or forces that gives a quantity; None of those of other chapters."""
 VECTORS: frozenset[Quantity] = frozenset(
     {"places", "velocities", "accelerations", "forces", "profile", "centres"}
 )

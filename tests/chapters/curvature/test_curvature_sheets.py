@@ -1,0 +1,104 @@
+"""What sheets, tables and tasks say of curvature: refusals, positions without a drawing, the sheet as drawn."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+import numpy as np
+import pytest
+
+import graphic_tmm
+from graphic_tmm.chapters.curvature.record import CURVATURE_PLAN
+from graphic_tmm.chapters.curvature.scales import FAR
+from graphic_tmm.chapters.curvature.task_sheet import asks
+from graphic_tmm.errors import TmmError
+from graphic_tmm.studio import make
+
+SCENE = graphic_tmm.read("coupler-curvature")
+SLIDER: dict[str, Any] = {
+    "title": "T", "language": "en",
+    "frame": {"O": [0, 0], "x": {"through": [0, 0], "angle": "0 deg"}},
+    "link": [
+        {"number": 1, "points": {"O": [0, 0], "A": [0.1, 0]}},
+        {"number": 2, "points": {"A": [0, 0], "B": [0.25, 0], "K": [0.1, 0.08]}},
+        {"number": 3, "points": {"B": [0, 0]},
+         "slides": {"on": "frame", "along": "x", "side": "right"}},
+    ],
+    "drive": {"link": 1, "speed": "10 rad/s", "turns": "counterclockwise", "zero": "0 deg",
+              "positions": 12},
+}  # fmt: skip
+
+
+def slider(**asked: Any) -> dict[str, Any]:
+    """A slider-crank in line whose curvature is asked for."""
+    return {**copy.deepcopy(SLIDER), "curvature": asked}
+
+
+@pytest.mark.parametrize(
+    ("asked", "says"),
+    [
+        ({}, "nothing is asked for"),
+        ({"link": 1}, "link 1 turns about O"),
+        ({"link": 3}, "link 3 does not turn"),
+        ({"link": 7}, "no moving link 7"),
+        ({"link": 2, "points": ["B"]}, "B slides on a straight guide"),
+        ({"points": ["K", "O"]}, "no link has all of the points K, O"),
+        ({"points": ["Z"]}, "no point of a moving link"),
+        ({"link": 2, "ball": True}, "Ball's point wants"),
+        ({"link": 2, "positions": [77]}, "no position 77"),
+    ],
+)
+def test_what_cannot_be_found_is_refused_in_a_sentence(asked: dict[str, Any], says: str) -> None:
+    with pytest.raises(TmmError, match=says):
+        make(graphic_tmm.read(slider(**asked)))
+
+
+def test_where_the_rod_only_moves_along_nothing_is_told_but_a_finding() -> None:
+    sheet = graphic_tmm.draw(slider(link=2, positions="all"), exact=True)
+    table, circles = sheet.table("curvature"), sheet.table("bresse")
+    for name in ("3", "9"):  # the crank is square to the guide: ω2 = 0
+        at = table.positions.index(name)
+        assert all(np.isnan(one.value[0, at]) for one in table.values())
+        assert np.isnan(circles["WP"].value[0, at])
+        assert np.isfinite(circles["xΠ"].value[0, at]), "it gains speed turning"
+    assert any("lines are parallel" in one and "3, 9" in one for one in sheet.warnings)
+    assert any("Centres of curvature: not drawn in positions 3, 9" in one for one in sheet.warnings)
+
+
+def test_each_position_has_its_scale_and_reaches_no_farther_than_told() -> None:
+    board = make(graphic_tmm.read(slider(link=2, positions="all"))).boards[0]
+    made = CURVATURE_PLAN.on(board)
+    for figure in made.figures:
+        reach, mu = board.reach["curvature"][figure.mu], board.reading[figure.mu]
+        sizes = np.array([reach[k] / mu[0, k] for k in reach])
+        assert sizes.max() <= 1.02 * board.sizes["curvature"]
+        assert sizes.min() > 0.35 * board.sizes["curvature"], "the next scale would do"
+        assert max(reach.values()) < FAR * 0.4
+
+
+def test_the_circles_meet_in_the_pole_of_accelerations() -> None:
+    table = graphic_tmm.draw(SCENE, exact=True).table("bresse")
+    at = table.positions.index("1")
+    assert abs(table["WP"].mm[0, at] - table["WΠ"].mm[0, at]) < 1e-9
+
+
+def test_any_angle_by_the_scene_s_ruler_is_near_what_is_exact() -> None:
+    exact, read = (
+        graphic_tmm.motion(SCENE, [30.0, 100.0], plans="curvature", exact=one)
+        for one in (True, False)
+    )
+    for name, places in exact.centres.items():
+        off = abs(read.centres[name] - places) / (1.0 + abs(places))
+        assert off.max() < 3e-3, name
+    with pytest.raises(TmmError, match=r"write \[curvature\]"):
+        graphic_tmm.motion("crank-rocker", 0.0, plans="curvature")
+
+
+def test_a_task_names_what_is_sought() -> None:
+    sentences = " ".join(asks(SCENE, "ru"))
+    assert "точек K" in sentences
+    assert "построением Бобилье" in sentences
+    assert "круги Бресса" in sentences
+    assert "точку Болла" in sentences
+    assert "звена 2" in " ".join(asks(graphic_tmm.read(slider(link=2)), "ru"))
