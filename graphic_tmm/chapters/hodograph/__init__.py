@@ -6,12 +6,12 @@ hodograph. Its arc from one moment to the next is the change of the velocity, so
 the direction of the acceleration there, which is πk of the plan of accelerations: both plans are held
 against each other by the angle between the two. The hodograph of accelerations is drawn alike.
 
-The tangent of a curve through n ends of a turn is that of the hodograph but for a share θ⁴/180 of the
-greatest acceleration, for a harmonic that turns by θ = 2π·m/n from one end to the next (that is the error
-of a cubic spline's slope). The third harmonic of the crank and a protractor that is read to a degree make
-the limit up to which an angle is explained, τ_i = 1° + (6π/n)⁴/180·(πk)_max/(πk)_i; more is a mistake of a
-plan, or a row that is too coarse for the mechanism. At the ends of a row that does not come back the curve
-has no neighbour on one side: nothing is said there.
+The tangent of a curve through the ends is that of the hodograph but for a share θ⁴/180 for a harmonic that
+turns by θ from one end to the next (the error of a cubic spline's slope); differences of the fourth order
+are off by θ⁴/30. Three times what both are apart there or at a neighbour, and a protractor that is read to
+a degree, make the limit up to which an angle is explained; more is a mistake of a plan. It falls with the
+fourth power of the number of positions. At the ends of a row that does not come back there are no
+neighbours on one side: nothing is said there.
 
 By the turn of a crank that turns evenly v = ω·dS/dφ and a = ω²·d²S/dφ²: the analogues dS/dφ and d²S/dφ² are
 read off the same plans to the scales μ_v/ω_1 and μ_a/ω_1², as if the crank turned by one radian a second.

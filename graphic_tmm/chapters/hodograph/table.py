@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 
 import numpy as np
 
 from graphic_tmm.board.record import segment_name
-from graphic_tmm.board.values import Reals
+from graphic_tmm.board.values import Curve, Reals
 from graphic_tmm.chapters.hodograph.plan import (
     HODOGRAPH_PLAN,
     Hodograph,
@@ -17,15 +16,20 @@ from graphic_tmm.chapters.hodograph.plan import (
 )
 from graphic_tmm.chapters.hodograph.task import HODOGRAPH
 from graphic_tmm.chapters.hodograph.words import ANALOGUES
-from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.protocol import Protocols
 
-PROTRACTOR, HARMONIC = 1.0, 3
-"""How well an angle is read, °; the harmonic of the crank that the ends have to follow."""
-EDGE = 2
+PROTRACTOR, TIMES = 1.0, 3.0
+"""How well an angle is read, °; how many times the spread of slopes explains an angle.
+
+A harmonic that turns by θ from one end to the next has a slope that is wrong by θ⁴/180 on a cubic spline, by
+θ⁴/30 in differences of the fourth order. What is between them is 5 times the spline's error where θ is small,
+and no less than a third of it up to 150°; where a peak falls between two ends, both see it alike, but those
+beside it do not: the larger of the three counts.
+"""
+EDGE = 3
 """So many positions at either end of a row that does not come back tell nothing of the tangent."""
 
 
@@ -41,23 +45,25 @@ def angles(drawn: Drawn, one: Hodograph) -> Reals:
 def limits(drawn: Drawn, one: Hodograph) -> Reals:
     """Return how large these angles may be for the number of positions, ° (trial, position)."""
     made, count = HODOGRAPH_PLAN.on(drawn), len(drawn.names)
-    reading = drawn.of(ACCELERATIONS)
-    if one.angle is None or reading is None:
+    if one.angle is None or drawn.of(one.angle.view) is None:
         return empty(count)
-    image = made.images[ACCELERATIONS, one.point]
-    long = row_of(np.abs(reading[image]), drawn.row(ACCELERATIONS), count)
-    most = np.fmax.reduce(long, axis=1, keepdims=True, initial=0.0)
+    row = range(EDGE, made.count - EDGE) if not made.closed else range(made.count)
+    held = [k for k in drawn.row(one.angle.view) if k in row]
+    found = PROTRACTOR + TIMES * spread(drawn.reading[one.curve])
+    return row_of(found[:, held], held, count)
+
+
+def spread(curve: Curve) -> Reals:
+    """Return by how much slopes of a curve at a knot, or next to it, differ from those by differences, °.
+
+    ``curve``: evenly run through; of an open one the places at both ends tell nothing.
+    """
+    z = curve.knots
+    one, two = (np.roll(z, -k, axis=1) - np.roll(z, k, axis=1) for k in (1, 2))
+    apart, long = np.abs((8.0 * one - two) / 12.0 - curve.tangents), np.abs(curve.tangents)
     there = long > 0.0
-    times = np.where(there, most / np.where(there, long, 1.0), np.nan)
-    found = PROTRACTOR + spread(made.count) * times
-    if not made.closed:
-        found[:, [*range(EDGE), *range(made.count - EDGE, made.count)]] = np.nan
-    return found
-
-
-def spread(count: int) -> float:
-    """Return by how much the slope of a curve through so many ends of a turn may be off, ° of the greatest."""
-    return math.degrees((math.tau * HARMONIC / count) ** 4 / 180.0)
+    found = np.where(there, np.degrees(apart / np.where(there, long, 1.0)), np.nan)
+    return np.fmax.reduce([np.roll(found, k, axis=1) for k in (-1, 0, 1)])
 
 
 def tangent_columns(drawn: Drawn) -> Iterator[Column]:
