@@ -198,7 +198,7 @@ class _Drawing:
         first = draft.draw(parallel, "(MR)", self.M, base, why=why.SIMILAR)
         R = self._point("R", first, self.crank, why.SIMILAR)
         second = draft.draw(parallel, "(RQ)", R, self.across, why=why.AGAIN)
-        Q = self._point("Q", second, self.rod, why.NORMAL)
+        Q = self._point("Q", second, self.rod, why.NORMAL_BY_RATIO)
         return Q, draft.draw(square, "(QN)", Q, self.rod, why=why.TANGENTIAL), (R,)
 
     def _on_rod(self, letter: str, own: complex) -> Mark:

@@ -9,9 +9,10 @@ import numpy as np
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.klein.accuracy import prices
 from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.task import VIEWS
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.protocol import Protocols
 
@@ -77,5 +78,16 @@ def columns(drawn: Drawn) -> Iterator[Column]:
         yield from figure_columns(drawn, figure)
 
 
-TABLE = Tabled(columns=columns)
+def results(drawn: Drawn) -> Results:
+    """Return what each way of finding a_B takes in a position, and how far a student's is off."""
+    if KLEIN_PLAN.of(drawn) is None:
+        return {}
+    found: dict[str, tuple[Reals, str]] = {}
+    for way, price in prices(drawn).items():
+        found[f"klein_work_{way}"] = np.array([price.operations]), ""
+        found[f"klein_error_{way}"] = np.array([round(price.error, 2)]), "%"
+    return found
+
+
+TABLE = Tabled(columns=columns, results=results)
 PROTOCOL = Protocols(views=lambda project: {view: (view,) for view in VIEWS})

@@ -5,18 +5,21 @@ from __future__ import annotations
 from graphic_tmm.chapters.klein.ink import draw_construction
 from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.table import figure_columns
+from graphic_tmm.chapters.klein.table import results as figures
 from graphic_tmm.chapters.klein.task import KLEIN, TABLE
 from graphic_tmm.chapters.klein.words import SEVERAL
-from graphic_tmm.drawn import Drawn
+from graphic_tmm.drawn import Drawn, single
 from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.language.numbers import fixed
+from graphic_tmm.language.units import unit
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.views import in_rows, mu_text
-from graphic_tmm.readers.result_table import result_table
+from graphic_tmm.readers.result_table import result_table, results
 from graphic_tmm.scene.captions import captions
 
 
@@ -58,7 +61,18 @@ def table_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
             found.append(
                 result_table(figure.view, rows, drawn.names, drawn.scene.language, heights=high)
             )
-    return found
+    return [*found, *_compared(drawn)] if found else []
+
+
+def _compared(drawn: Drawn) -> list[Drawing]:
+    """Return the table of what the ways take and how true they are."""
+    language = drawn.scene.language
+    words, high = captions(language), heights(drawn.scene, TABLE, KLEIN)
+    rows = [
+        [words[name], fixed(value, 1 if of else 0, language), unit(of, language) if of else "—"]
+        for name, (value, of) in single(figures(drawn)).items()
+    ]
+    return [results("table-klein-ways", words["klein results"], rows, language, high)]
 
 
 SHOWN = Views(draw={KLEIN: construction_views, TABLE: table_views})

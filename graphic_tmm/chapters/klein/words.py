@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
 from graphic_tmm.chapters.klein.task import KLEIN, RITTERHAUS, TABLE
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
@@ -15,6 +16,13 @@ CAPTIONS: dict[str, str] = {
     KLEIN: said("Klein's construction"),
     RITTERHAUS: said("Ritterhaus's construction"),
     TABLE: said("Velocities and accelerations by Klein's figure"),
+    "klein results": said("Ways to a_B compared"),
+    f"klein_work_{KLEIN}": said("operations in a position by Klein"),
+    f"klein_error_{KLEIN}": said("error of a student's a_B by Klein"),
+    f"klein_work_{RITTERHAUS}": said("operations in a position by Ritterhaus"),
+    f"klein_error_{RITTERHAUS}": said("error of a student's a_B by Ritterhaus"),
+    f"klein_work_{ACCELERATIONS}": said("operations in a position by the plans"),
+    f"klein_error_{ACCELERATIONS}": said("error of a student's a_B by the plans"),
     f"table {KLEIN}": said("Velocities and accelerations by Klein's construction"),
     f"table {RITTERHAUS}": said("Velocities and accelerations by Ritterhaus's construction"),
 }
@@ -40,6 +48,7 @@ NORMAL = said("By the right-angled triangle AM² = AQ·AB: AQ stands for the nor
 SIDE = said("The line from the slider to the crank's pivot closes the triangle of the mechanism.")
 SIMILAR = said("The triangle that is cut off is similar to the mechanism's: AR : AO = AM : AB.")
 AGAIN = said("Once more in the same ratio: AQ : AM = AR : AO, so AQ·AB = AM².")
+NORMAL_BY_RATIO = said("AQ·AB = AM², so AQ stands for the normal acceleration v_BA²/l_AB.")
 TANGENTIAL = said("The tangential acceleration is square to the rod.")
 WHOLE = said(
     "The quadrilateral is closed: its last side stands for the acceleration of the slider."

@@ -76,7 +76,8 @@ def drawn_of(
         ),
         encoding="utf-8",
     )  # fmt: skip
-    return in_usual_size(read(path), exact=True).mechanism  # type: ignore[return-value]
+    (found,) = in_usual_size(read(path), exact=True).boards
+    return found
 
 
 def place_of_k(phi: Any, a: float, b: float, c: float, d: float, k: complex) -> tuple[Any, Any]:

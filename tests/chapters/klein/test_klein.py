@@ -75,7 +75,8 @@ def drawn_of(
         ).replace("angle = '", 'angle = "').replace("deg'", 'deg"'),
         encoding="utf-8",
     )  # fmt: skip
-    return in_usual_size(read(path), exact=True).mechanism  # type: ignore[return-value]
+    (found,) = in_usual_size(read(path), exact=True).boards
+    return found
 
 
 def loop(phi: Any, r: float, rod: float, e: float, c: complex) -> tuple[Any, ...]:
@@ -310,7 +311,7 @@ slides = { on = "frame", along = "x", side = "-" }
 
 def test_of_several_slider_cranks_the_named_one_is_drawn(tmp_path: Path) -> None:
     """A second rod on a pin off the crank's axis: its figure stands on its own crank and rod."""
-    told = {"r": 0.1, "rod": 0.4, "more": SECOND, "pins": ", D = [-0.12, 0.02]", "omega": 10.0}
+    told: dict[str, Any] = {"r": 0.1, "rod": 0.4, "more": SECOND, "pins": ", D = [-0.12, 0.02]", "omega": 10.0}
     drawn = drawn_of(tmp_path, **told)
     assert KLEIN_PLAN.on(drawn).of.slider == "B"
     drawn = drawn_of(tmp_path, **told, klein='slider = "E"', c=None)
@@ -373,7 +374,8 @@ def _with_points(folder: Path) -> Drawn:
     path = folder / "scene.toml"
     text = path.read_text(encoding="utf-8").replace('points = ["C"]', 'points = ["A"]')
     path.write_text(text, encoding="utf-8")
-    return in_usual_size(read(path), exact=True).mechanism  # type: ignore[return-value]
+    (found,) = in_usual_size(read(path), exact=True).boards
+    return found
 
 
 FOUR_BAR = """title = "T"
