@@ -15,7 +15,7 @@ from graphic_tmm.language.said import said
     why=said("A vector stays what it is when it is carried, parallel and equal, to another pole."),
 )
 def equal_vector(pole: Point, start: Point, end: Point) -> Point:
-    """From {pole} draw the vector parallel and equal to {start}{end}; mark {it}."""
+    """From {pole} draw a vector parallel and equal to that from {start} to {end}; mark {it}."""
     return Point(pole + (end - start))
 
 

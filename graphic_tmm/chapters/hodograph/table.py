@@ -8,6 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.record import segment_name
 from graphic_tmm.board.values import Curve, Reals
+from graphic_tmm.chapters.hodograph import words as why
 from graphic_tmm.chapters.hodograph.plan import (
     HODOGRAPH_PLAN,
     Hodograph,
@@ -16,10 +17,13 @@ from graphic_tmm.chapters.hodograph.plan import (
 )
 from graphic_tmm.chapters.hodograph.task import HODOGRAPH
 from graphic_tmm.chapters.hodograph.words import ANALOGUES
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.protocol import Protocols
+from graphic_tmm.scene.chapter import Holder
 
 PROTRACTOR, TIMES = 1.0, 3.0
 """How well an angle is read, °; how many times the spread of slopes explains an angle.
@@ -63,7 +67,8 @@ def spread(curve: Curve) -> Reals:
     apart, long = np.abs((8.0 * one - two) / 12.0 - curve.tangents), np.abs(curve.tangents)
     there = long > 0.0
     found = np.where(there, np.degrees(apart / np.where(there, long, 1.0)), np.nan)
-    return np.fmax.reduce([np.roll(found, k, axis=1) for k in (-1, 0, 1)])
+    most: Reals = np.fmax.reduce([np.roll(found, k, axis=1) for k in (-1, 0, 1)])
+    return most
 
 
 def tangent_columns(drawn: Drawn) -> Iterator[Column]:
@@ -111,4 +116,19 @@ def _views(project: Project) -> dict[str, tuple[str, ...]]:
     }
 
 
-PROTOCOL = Protocols(views=_views)
+def _title(held: Holder, view: str, language: str) -> str:
+    """Return what a view of the log is called."""
+    made, speech = HODOGRAPH_PLAN.of(held), speaking(language)
+    for one in made.curves if made is not None else ():
+        velocities = one.plan == VELOCITIES
+        if view == one.view:
+            return speech(why.VELOCITY if velocities else why.ACCELERATION, point=one.point)
+        if one.angle is not None and view == one.angle.view:
+            return speech(why.TANGENTS, point=one.point)
+    plans = {view_of_analogues(plan): plan for plan in (VELOCITIES, ACCELERATIONS)}
+    if view in plans:
+        return speech(why.FIRST if plans[view] == VELOCITIES else why.SECOND)
+    return ""
+
+
+PROTOCOL = Protocols(views=_views, titles=_title)

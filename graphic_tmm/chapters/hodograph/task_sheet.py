@@ -18,7 +18,7 @@ _BOTH = said(
     "by their hodographs."
 )
 _TANGENTS = said(
-    "The tangents of the hodograph of velocities are compared with the directions on the plans of accelerations."
+    "The tangents of the hodograph of velocities are compared with the plans of accelerations."
 )
 _ANALOGUES = said("The analogues dS/dφ and d²S/dφ² of {points} are read off the plans.")
 

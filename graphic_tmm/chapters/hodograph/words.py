@@ -9,6 +9,9 @@ from graphic_tmm.scene.captions import Named
 ANALOGUES = "analogues"
 VELOCITY = said("Hodograph of the velocities of point {point}")
 ACCELERATION = said("Hodograph of the accelerations of point {point}")
+TANGENTS = said("Tangents of the hodograph of point {point}")
+FIRST = said("Analogues of velocities")
+SECOND = said("Analogues of accelerations")
 CAPTIONS: dict[str, str] = {
     "chapter hodograph": said("Hodographs and analogues"),
     HODOGRAPH: said("Hodographs"),

@@ -8,17 +8,17 @@ from graphic_tmm.note.page import Page
 from graphic_tmm.note.section_chapter import Noted
 
 _KLEIN = said(
-    "By Klein's construction a_B takes {klein_work_klein} elementary operations of geometrography in a position, "
-    "all that leads to it counted; nine of ten readings by a student's hand are off by no more than "
-    "{klein_error_klein} of the largest."
+    "By Klein's construction a_B takes {klein_work_klein} elementary operations of geometrography in a "
+    "position, all that leads to it counted; drawn by a student's hand again and again it scatters by "
+    "{klein_scatter_klein} of its largest."
 )
 _RITTERHAUS = said(
-    "Ritterhaus's construction takes {klein_work_ritterhaus} of them and is off by no more than "
-    "{klein_error_ritterhaus}: it needs no compass."
+    "Ritterhaus's construction takes {klein_work_ritterhaus} of them, for it needs no compass, and scatters by "
+    "{klein_scatter_ritterhaus}."
 )
 _PLANS = said(
-    "The plans of velocities and accelerations take {klein_work_accelerations}, and are off by no more than "
-    "{klein_error_accelerations}."
+    "The plans of velocities and accelerations take {klein_work_accelerations} and scatter by "
+    "{klein_scatter_accelerations}."
 )
 
 

@@ -79,13 +79,13 @@ def columns(drawn: Drawn) -> Iterator[Column]:
 
 
 def results(drawn: Drawn) -> Results:
-    """Return what each way of finding a_B takes in a position, and how far a student's is off."""
+    """Return what each way of finding a_B takes in a position, and how a student's scatters."""
     if KLEIN_PLAN.of(drawn) is None:
         return {}
     found: dict[str, tuple[Reals, str]] = {}
     for way, price in prices(drawn).items():
         found[f"klein_work_{way}"] = np.array([price.operations]), ""
-        found[f"klein_error_{way}"] = np.array([round(price.error, 2)]), "%"
+        found[f"klein_scatter_{way}"] = np.array([round(price.scatter, 1)]), "%"
     return found
 
 
