@@ -22,8 +22,8 @@ _NO_R = said(
     "they do not meet; take Klein's construction there"
 )
 _NO_CHORD = said(
-    "klein: in positions {places} AM is longer than the rod: Klein's circles do not meet; take Ritterhaus's "
-    "construction there"
+    "klein: in positions {places} the side of velocities along the rod is longer than the rod: Klein's circles "
+    "do not meet; take Ritterhaus's construction there"
 )
 
 

@@ -8,9 +8,9 @@ from graphic_tmm.note.page import Page
 from graphic_tmm.note.section_chapter import Noted
 
 _KLEIN = said(
-    "By Klein's construction a_B takes {klein_work_klein} elementary operations of geometrography in a "
-    "position, all that leads to it counted; drawn by a student's hand again and again it scatters by "
-    "{klein_scatter_klein} of its largest."
+    "By Klein's construction the slider's acceleration takes {klein_work_klein} elementary operations of "
+    "geometrography in a position, all that leads to it counted; drawn by a student's hand again and again it "
+    "scatters by {klein_scatter_klein} of its largest."
 )
 _RITTERHAUS = said(
     "Ritterhaus's construction takes {klein_work_ritterhaus} of them, for it needs no compass, and scatters by "

@@ -16,13 +16,13 @@ CAPTIONS: dict[str, str] = {
     KLEIN: said("Klein's construction"),
     RITTERHAUS: said("Ritterhaus's construction"),
     TABLE: said("Velocities and accelerations by Klein's figure"),
-    "klein results": said("Ways to a_B compared"),
-    f"klein_work_{KLEIN}": said("operations in a position by Klein"),
-    f"klein_scatter_{KLEIN}": said("scatter of a student's a_B by Klein"),
-    f"klein_work_{RITTERHAUS}": said("operations in a position by Ritterhaus"),
-    f"klein_scatter_{RITTERHAUS}": said("scatter of a student's a_B by Ritterhaus"),
-    f"klein_work_{ACCELERATIONS}": said("operations in a position by the plans"),
-    f"klein_scatter_{ACCELERATIONS}": said("scatter of a student's a_B by the plans"),
+    "klein results": said("Ways to the slider's acceleration"),
+    f"klein_work_{KLEIN}": said("operations in a position, Klein"),
+    f"klein_scatter_{KLEIN}": said("scatter by a student's hand, Klein"),
+    f"klein_work_{RITTERHAUS}": said("operations in a position, Ritterhaus"),
+    f"klein_scatter_{RITTERHAUS}": said("scatter by a student's hand, Ritterhaus"),
+    f"klein_work_{ACCELERATIONS}": said("operations in a position, plans"),
+    f"klein_scatter_{ACCELERATIONS}": said("scatter by a student's hand, plans"),
     f"table {KLEIN}": said("Velocities and accelerations by Klein's construction"),
     f"table {RITTERHAUS}": said("Velocities and accelerations by Ritterhaus's construction"),
 }
@@ -36,19 +36,27 @@ ACROSS = said(
 TURNED = said(
     "Turned by 90° the velocity of the slider about the crank pin lies along the rod; {it} closes the triangle."
 )
-VELOCITY = said("A side of the triangle of velocities; v_B, v_BA follow from it by ω.")
-OPENING = said("The compass takes the side of the triangle that stands for v_BA.")
+VELOCITY = said("A side of the triangle of velocities: it is a velocity divided by ω.")
+OPENING = said("The compass takes the side of the triangle that lies along the rod.")
 MIDDLE = said("The centre of the circle that has the rod as its diameter.")
 ON_ROD = said("Every point of it sees the rod under a right angle.")
 SHARED = said("A point of both circles: the right angle over the rod stands there.")
 CHORD = said(
     "The common chord of two circles is square to the line of their centres, here the rod."
 )
-NORMAL = said("By the right-angled triangle AM² = AQ·AB: AQ stands for the normal acceleration.")
+NORMAL = said(
+    "In the right-angled triangle over the rod the opening is the mean proportional of the rod and of what "
+    "{it} cuts off: this stands for the normal acceleration."
+)
 SIDE = said("The line from the slider to the crank's pivot closes the triangle of the mechanism.")
-SIMILAR = said("The triangle that is cut off is similar to the mechanism's: AR : AO = AM : AB.")
-AGAIN = said("Once more in the same ratio: AQ : AM = AR : AO, so AQ·AB = AM².")
-NORMAL_BY_RATIO = said("AQ·AB = AM², so AQ stands for the normal acceleration v_BA²/l_AB.")
+SIMILAR = said(
+    "It cuts off a triangle similar to the mechanism's: the crank is divided as M divides the rod."
+)
+AGAIN = said("It divides once more in the same ratio.")
+NORMAL_BY_RATIO = said(
+    "Divided twice in one ratio, the rod is to the side along it as that side is to what {it} cuts off: this "
+    "stands for the normal acceleration."
+)
 TANGENTIAL = said("The tangential acceleration is square to the rod.")
 WHOLE = said(
     "The quadrilateral is closed: its last side stands for the acceleration of the slider."
