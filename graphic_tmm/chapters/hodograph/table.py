@@ -53,11 +53,11 @@ def limits(drawn: Drawn, one: Hodograph) -> Reals:
         return empty(count)
     row = range(EDGE, made.count - EDGE) if not made.closed else range(made.count)
     held = [k for k in drawn.row(one.angle.view) if k in row]
-    found = PROTRACTOR + TIMES * spread(drawn.reading[one.curve])
+    found = PROTRACTOR + TIMES * slopes_apart(drawn.reading[one.curve])
     return row_of(found[:, held], held, count)
 
 
-def spread(curve: Curve) -> Reals:
+def slopes_apart(curve: Curve) -> Reals:
     """Return by how much slopes of a curve at a knot, or next to it, differ from those by differences, °.
 
     ``curve``: evenly run through; of an open one the places at both ends tell nothing.

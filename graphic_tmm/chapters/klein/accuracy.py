@@ -34,9 +34,9 @@ class Price(NamedTuple):
 def sought(project: Project) -> dict[str, tuple[Mark, Mark | None]]:
     """Return by way of drawing the mark that a_B is read off by, and its scale factor if it is a length."""
     made, plans = KLEIN_PLAN.on(project), KINEMATICS_PLAN.on(project)
-    letter = f"a_{made.of.slider}"
+    wanted = f"a_{made.of.slider}"
     found: dict[str, tuple[Mark, Mark | None]] = {
-        view: (next(one.value for one in figure.quantities if one.letter == letter), None)
+        view: (next(one.value for one in figure.quantities if one.vector == wanted), None)
         for view, figure in made.figures.items()
     }
     motion = plans.accelerations
@@ -92,9 +92,9 @@ def _quantities(project: Project) -> Iterator[Quantity]:
     made, count_ = KLEIN_PLAN.on(project), KINEMATICS_PLAN.on(project).count
     for view, figure in made.figures.items():
         for one in figure.quantities:
-            if one.letter in (f"v_{made.of.slider}", f"a_{made.of.slider}"):
+            if one.vector in (f"v_{made.of.slider}", f"a_{made.of.slider}"):
                 value = Value(one.value)
-                name = f"{one.letter[0]}_{view}"
+                name = f"{one.vector[0]}_{view}"
                 yield Quantity(
                     name, one.value.unit, (value,), count_, due=(value,), places=(KLEIN,)
                 )

@@ -45,6 +45,15 @@ class SliderCrank(NamedTuple):
         return abs(self.offset) <= ROUNDING * (self.crank + self.length)
 
 
+class _Parts(NamedTuple):
+    """A group, its rod and its guide; the letter of the crank's pin."""
+
+    closing: Closing
+    rod: PinLeg
+    guide: GuideLeg
+    pin: str
+
+
 def slider_crank(plans: KinematicPlans, order: KleinTask) -> SliderCrank:
     """Return the slider-crank that is asked for.
 
@@ -54,7 +63,7 @@ def slider_crank(plans: KinematicPlans, order: KleinTask) -> SliderCrank:
         If it is none, if its crank does not turn evenly, or a point is none of its rod.
     """
     crank = _even_crank(plans)
-    there = {closing.letter: (closing, rod, guide) for closing, rod, guide in _there(plans, crank)}
+    there = dict(_there(plans, crank))
     if not there:
         says = said(
             "no rod joins the crank to a slider on the frame, and it is drawn of a slider-crank alone: leave "
@@ -65,38 +74,31 @@ def slider_crank(plans: KinematicPlans, order: KleinTask) -> SliderCrank:
     if letter not in there:
         says = said(
             "point {letter} is not the slider of a slider-crank; points that are: {known}",
-            letter=letter,
-            known=", ".join(there),
-        )
+            letter=letter, known=", ".join(there),
+        )  # fmt: skip
         raise StructureError(says, f"{KLEIN}.slider", head=KLEIN)
-    closing, rod, guide = there[letter]
+    closing, rod, guide, pin = there[letter]
     mechanism = plans.mechanism
-    link, driven = mechanism.by_number[rod.link], mechanism.by_number[crank.link]
-    start, end = link.points[rod.letter], link.points[letter]
-    way = end - start
-    points = {
-        k: _settled((own - start) * way.conjugate() / abs(way), abs(way))
-        for k, own in link.points.items()
-        if k in order.points
-    }
+    own, driven = mechanism.by_number[rod.link].points, mechanism.by_number[crank.link].points
+    way, free = own[letter] - own[pin], [k for k in own if k not in (pin, letter)]
     for point in order.points:
-        if point not in points or point in (rod.letter, letter):
+        if point not in free:
             says = said(
                 "point {letter} is no further point of the rod {rod}; it has {known}",
-                letter=point,
-                rod=f"{rod.letter}{letter}",
-                known=", ".join(p for p in link.points if p not in (rod.letter, letter)) or "—",
-            )
+                letter=point, rod=f"{pin}{letter}", known=", ".join(free) or "—",
+            )  # fmt: skip
             raise StructureError(says, f"{KLEIN}.points", head=KLEIN)
+    points = {
+        k: _settled((own[k] - own[pin]) * way.conjugate() / abs(way), abs(way))
+        for k in order.points
+    }
     pair = pair_of(closing, guide)
     slider, frame = mechanism.by_number[guide.link], mechanism.frame
     offset = level(pair, guide.link, slider.points[letter]) - level(
         pair, frame.number, frame.points[crank.pivot]
     )
-    arm = driven.points[rod.letter] - driven.points[crank.pivot]
-    return SliderCrank(
-        crank, rod, guide, crank.pivot, rod.letter, letter, arm, abs(way), offset, points
-    )  # fmt: skip
+    arm = driven[pin] - driven[crank.pivot]
+    return SliderCrank(crank, rod, guide, crank.pivot, pin, letter, arm, abs(way), offset, points)
 
 
 def _settled(own: complex, size: float) -> complex:
@@ -128,13 +130,13 @@ def _even_crank(plans: KinematicPlans) -> Crank:
     return pair
 
 
-def _there(plans: KinematicPlans, crank: Crank) -> Iterator[tuple[Closing, PinLeg, GuideLeg]]:
-    """Yield the groups of a rod on the crank and a slider on the frame."""
+def _there(plans: KinematicPlans, crank: Crank) -> Iterator[tuple[str, _Parts]]:
+    """Yield the groups of a rod on the crank and a slider on the frame, by the letter of the slider."""
     frame = plans.mechanism.frame.number
     for closing in dyads(plans.positions.closings, KLEIN):
-        rods = [one for one in closing.legs if isinstance(one, PinLeg)]
-        guides = [one for one in closing.legs if isinstance(one, GuideLeg)]
-        if len(rods) == len(guides) == 1 and closing.group.kind == 2:
-            (rod,), (guide,) = rods, guides
-            if rod.body == crank.link and guide.body == frame and not guide.inner and not rod.rod:
-                yield closing, rod, guide
+        match sorted(closing.legs, key=lambda leg: isinstance(leg, GuideLeg)):
+            case [PinLeg() as rod, GuideLeg(inner=False) as guide]:
+                if rod.body == crank.link and guide.body == frame and not rod.rod:
+                    yield closing.letter, _Parts(closing, rod, guide, rod.letter)
+            case _:
+                continue

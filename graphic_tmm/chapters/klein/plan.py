@@ -36,9 +36,9 @@ from graphic_tmm.scene.chapter import Recorded
 
 
 class Quantity(NamedTuple):
-    """A side of the figure (Length), what it stands for (Number); of what: a vector's letter."""
+    """A side of the figure (Length), what it stands for (Number): which vector, as it is written."""
 
-    letter: str
+    vector: str
     segment: Mark
     value: Mark
 

@@ -33,11 +33,11 @@ def figure_columns(drawn: Drawn, figure: Figure) -> Iterator[Column]:
         segment = segment_name(one.segment.letter)
         unit = one.value.unit
         yield Column(
-            figure.view, segment, one.segment.name, unit, mm, value, quantity=one.letter
+            figure.view, segment, one.segment.name, unit, mm, value, quantity=one.vector
         )  # fmt: skip
-        mark = planned.get(one.letter)
+        mark = planned.get(one.vector)
         if mark is not None and (due := _by_plan(drawn, mark)) is not None:
-            name = f"Δ_{{{one.letter}}}"
+            name = f"Δ_{{{one.vector}}}"
             apart = _apart(value, due, drawn.percent_decimals)
             yield Column(figure.view, segment_name(name), name, "%", empty(count), apart)
 
