@@ -18,7 +18,7 @@ from graphic_tmm.paper.symbols.kinematic import pole
 
 LEAST = 1.0
 """A vector that is shorter is a point, mm; ends nearer to each other share one number."""
-TANGENT = 7.0
+TANGENT = 14.0
 """Half the length of a tangent, mm."""
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from graphic_tmm.board.operations.graphs import halve
-from graphic_tmm.board.operations.instruments import strike
+from graphic_tmm.board.operations.instruments import similar, strike
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.klein.plan import Figure
@@ -78,7 +78,7 @@ def _rules(made: Figure) -> dict[Mark, Rule]:
 
 
 def _stays(seen: Seen, step: Step) -> bool:
-    return step.op in (strike, halve) or step.it.kind is Line or usual(seen, step)
+    return step.op in (strike, halve, similar) or step.it.kind is Line or usual(seen, step)
 
 
 def draw_construction(on: Subject, made: Figure, place: int) -> Drawing:
