@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.values import Length, Number
+from graphic_tmm.board.values import Number
 from graphic_tmm.language.said import said
 
 
 @formula(
     why=said(
         "The triangle over the crank is the plan of velocities, turned by 90°: the crank stands for {omega}·l, "
-        "so every length of it for as many times {omega}."
+        "so a millimetre for {omega} times as much as of lengths."
     )
 )
-def velocity_on_figure(omega: Number, segment: Length, mu: Number) -> Number:
-    """{omega}·{segment}·{mu}"""
+def velocities_on_figure(mu: Number, omega: Number) -> Number:
+    """{mu}·{omega}"""
 
 
 @formula(
     why=said(
         "The quadrilateral over the crank is the plan of accelerations, turned by 180°: the crank stands for "
-        "{omega}²·l, so every length of it for as many times {omega}²."
+        "{omega}²·l, so a millimetre for {omega}² times as much as of lengths."
     )
 )
-def acceleration_on_figure(omega: Number, segment: Length, mu: Number) -> Number:
-    """{omega}²·{segment}·{mu}"""
+def accelerations_on_figure(mu: Number, omega: Number) -> Number:
+    """{mu}·{omega}²"""

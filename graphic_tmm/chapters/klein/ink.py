@@ -8,9 +8,10 @@ from collections.abc import Iterator
 from itertools import combinations
 
 from graphic_tmm.board.operations.graphs import halve
-from graphic_tmm.board.operations.instruments import similar, strike
+from graphic_tmm.board.operations.instruments import similar
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Point
+from graphic_tmm.chapters.klein.operations import circle_through
 from graphic_tmm.chapters.klein.plan import Figure
 from graphic_tmm.chapters.klein.task import KLEIN
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
@@ -78,13 +79,13 @@ def _rules(made: Figure) -> dict[Mark, Rule]:
 
 
 def _stays(seen: Seen, step: Step) -> bool:
-    return step.op in (strike, halve, similar) or step.it.kind is Line or usual(seen, step)
+    return step.op in (circle_through, halve, similar) or step.it.kind is Line or usual(seen, step)
 
 
 def draw_construction(on: Subject, made: Figure, place: int) -> Drawing:
     """Return a construction in one position (index in the reading)."""
     seen = on.seen((made.view,), [place])
-    traces = figure(seen, Manner({strike.name: _circle}, _stays, _rules(made)))
+    traces = figure(seen, Manner({circle_through.name: _circle}, _stays, _rules(made)))
     strokes: list[Ink] = [*traces.staying]
     marks = [made.pivot, made.pin, made.slider]
     pivot, pin, stone = (seen.point(mark, place) for mark in marks)

@@ -8,8 +8,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import ROUNDING, Draft
-from graphic_tmm.board.grammar import Operation
-from graphic_tmm.board.operations.formulas import to_board
+from graphic_tmm.board.operations.formulas import in_si, to_board
 from graphic_tmm.board.operations.graphs import halve
 from graphic_tmm.board.operations.instruments import (
     cross,
@@ -21,7 +20,6 @@ from graphic_tmm.board.operations.instruments import (
     place,
     similar,
     square,
-    strike,
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
@@ -30,6 +28,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.klein import formulas as f
 from graphic_tmm.chapters.klein import words as why
 from graphic_tmm.chapters.klein.crank import SliderCrank, slider_crank
+from graphic_tmm.chapters.klein.operations import circle_through
 from graphic_tmm.chapters.klein.task import ASKED, KLEIN, KleinTask
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
@@ -54,14 +53,14 @@ class RodPoint(NamedTuple):
 
 @dataclass(frozen=True)
 class Figure:
-    """A construction as drawn in a ``view``: the mechanism, M, Q and N, what is read, by letter.
+    """A construction as drawn in a ``view``: μ of lengths, velocities, accelerations, the mechanism, M, Q and N.
 
     ``along``: the line through the pivot along the guide. ``through``: what leads from M to Q: in Klein's the
     centre of the circle on the rod, this circle, a point of both circles, their chord; in Ritterhaus's R.
     """
 
     view: str
-    mu: Mark
+    scales: tuple[Mark, ...]
     pivot: Mark
     pin: Mark
     slider: Mark
@@ -115,7 +114,13 @@ class _Drawing:
         pivot, A, B = of.pivot, of.pin, of.slider
         draft.open(self.view)
         mu = draft.scale("μ_l", "m/mm")
-        self.omega = self._omega()
+        omega = self._omega()
+        self.scales = {
+            unit: draft.draw(op, letter, mu, omega, unit=f"({unit})/mm")
+            for op, letter, unit in (
+                (f.velocities_on_figure, "μ_v", "m/s"), (f.accelerations_on_figure, "μ_a", "m/s²"),
+            )
+        }  # fmt: skip
         self.O = draft.take(Point, pivot, 0j)
         draft.lay_out(self.O)
         self.crank = self._crank()
@@ -127,8 +132,8 @@ class _Drawing:
         self.across = draft.draw(square, f"({pivot}M)", self.O, self.along, why=why.ACROSS)
         self.M = self._point("M", self.rod, self.across, why.TURNED)
         self._velocity(f"v_{B}", pivot, self.O, "M", self.M)
-        relative = self._velocity(f"v_{{{B}{A}}}", A, self.A, "M", self.M)
-        Q, across, through = self._klein(relative) if self.view == KLEIN else self._ritterhaus()
+        self._velocity(f"v_{{{B}{A}}}", A, self.A, "M", self.M)
+        Q, across, through = self._klein() if self.view == KLEIN else self._ritterhaus()
         self.N = self._point("N", across, self.along, why.WHOLE)
         for letter, a, start, b, end in (
             (f"a_{{{B}{A}}}^{{n}}", A, self.A, "Q", Q),
@@ -137,8 +142,9 @@ class _Drawing:
         ):
             self._acceleration(letter, a, start, b, end)
         points = tuple(self._rod_point(letter, own) for letter, own in of.points.items())
+        scales = (mu, *self.scales.values())
         return Figure(
-            self.view, mu, self.O, self.A, self.B, self.along, self.M, Q, self.N, through,
+            self.view, scales, self.O, self.A, self.B, self.along, self.M, Q, self.N, through,
             tuple(self.quantities), points,
         )  # fmt: skip
 
@@ -162,28 +168,25 @@ class _Drawing:
     def _point(self, letter: str, first: Mark, second: Mark, because: str) -> Mark:
         return self.draft.draw(meet, letter, first, second, free=True, why=because)
 
-    def _velocity(self, letter: str, a: str, start: Mark, b: str, end: Mark) -> Mark:
-        return self._read(f.velocity_on_figure, "m/s", letter, f"{a}{b}", start, end)
+    def _velocity(self, letter: str, a: str, start: Mark, b: str, end: Mark) -> None:
+        self._read(letter, f"{a}{b}", start, end, "m/s")
 
-    def _acceleration(self, letter: str, a: str, start: Mark, b: str, end: Mark) -> Mark:
-        return self._read(f.acceleration_on_figure, "m/s²", letter, f"{a}{b}", start, end)
+    def _acceleration(self, letter: str, a: str, start: Mark, b: str, end: Mark) -> None:
+        self._read(letter, f"{a}{b}", start, end, "m/s²")
 
-    def _read(
-        self, op: Operation, unit: str, letter: str, segment: str, start: Mark, end: Mark
-    ) -> Mark:
-        because = why.VELOCITY if op is f.velocity_on_figure else why.ACCELERATION
+    def _read(self, letter: str, segment: str, start: Mark, end: Mark, unit: str) -> None:
+        """Measure a side of the figure, calculate what it stands for."""
+        because = why.VELOCITY if unit == "m/s" else why.ACCELERATION
         length = self.draft.draw(measure, segment, start, end, free=True, why=because)
-        value = self.draft.draw(op, letter, self.omega, length, unit=unit, free=True)
+        value = self.draft.draw(in_si, letter, length, self.scales[unit], unit=unit, free=True)
         self.quantities.append(Quantity(letter, length, value))
-        return length
 
-    def _klein(self, relative: Mark) -> tuple[Mark, Mark, tuple[Mark, ...]]:
+    def _klein(self) -> tuple[Mark, Mark, tuple[Mark, ...]]:
         """Draw both circles; return Q, their common chord, and what leads to it."""
         draft, A = self.draft, self.of.pin
-        about = draft.draw(strike, f"({A}; {A}M)", self.A, relative, why=why.OPENING)
+        about = draft.draw(circle_through, f"({A}; {A}M)", self.A, self.M, why=why.OPENING)
         centre = draft.draw(halve, "E", self.A, self.B, free=True, why=why.MIDDLE)
-        half = draft.draw(measure, f"E{A}", centre, self.A, free=True, why=why.MIDDLE)
-        on_rod = draft.draw(strike, f"(E; E{A})", centre, half, why=why.ON_ROD)
+        on_rod = draft.draw(circle_through, f"(E; E{A})", centre, self.A, why=why.ON_ROD)
         side = draft.take(Side, "±", 1.0)
         both = draft.draw(cross, "U", about, on_rod, side, free=True, why=why.SHARED)
         chord = draft.draw(square, "(QN)", both, self.rod, why=why.CHORD)

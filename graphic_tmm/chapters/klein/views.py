@@ -9,6 +9,7 @@ from graphic_tmm.chapters.klein.table import results as figures
 from graphic_tmm.chapters.klein.task import KLEIN, TABLE
 from graphic_tmm.chapters.klein.words import SEVERAL
 from graphic_tmm.drawn import Drawn, single
+from graphic_tmm.fitting.scales import scale_of
 from graphic_tmm.fitting.subjects import subject
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.catalogue import speaking
@@ -37,7 +38,7 @@ def _row(drawn: Drawn, figure: Figure, lettered: bool) -> list[Drawing]:
     if reading is None or view not in drawn.scales:
         return []
     views, told = list[Drawing](), list[tuple[str, str]]()
-    mu = mu_text(drawn.scales[view], language)
+    mu = ", ".join(mu_text(scale_of(one, reading), language) for one in figure.scales)
     for k, place in enumerate(drawn.row(view)):
         if place in drawn.undrawn:
             continue
