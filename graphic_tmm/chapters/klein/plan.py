@@ -53,7 +53,7 @@ class RodPoint(NamedTuple):
 
 @dataclass(frozen=True)
 class Figure:
-    """A construction as drawn in a ``view``: μ of lengths, velocities, accelerations, the mechanism, M, Q and N.
+    """A construction as drawn in a ``view``: three μ (lengths, velocities, accelerations), mechanism, M, Q, N.
 
     ``along``: the line through the pivot along the guide. ``through``: what leads from M to Q: in Klein's the
     centre of the circle on the rod, this circle, a point of both circles, their chord; in Ritterhaus's R.

@@ -14,8 +14,9 @@ from support.boards import in_usual_size
 
 from graphic_tmm.accuracy.geometrography import elements
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.klein.accuracy import prices
 from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
-from graphic_tmm.chapters.klein.table import columns, figure_columns
+from graphic_tmm.chapters.klein.table import columns, figure_columns, results
 from graphic_tmm.chapters.klein.task import KLEIN, RITTERHAUS, VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.findings import warnings
@@ -362,3 +363,15 @@ def test_positions_without_a_construction_have_no_figures(tmp_path: Path) -> Non
         for column in figure_columns(drawn, figure):
             there = np.flatnonzero(np.isfinite(column.value[0]))
             assert there.tolist() == [2, 5], column.letter
+
+
+def test_klein_is_truer_and_ritterhaus_cheaper_than_the_other(tmp_path: Path) -> None:
+    """All that leads to a_B, by the student's hand at one size; the plans are drawn larger and are truest."""
+    drawn = drawn_of(tmp_path, r=0.1, rod=0.4)
+    price = prices(drawn)
+    assert price[RITTERHAUS].operations < price[KLEIN].operations
+    assert price[KLEIN].scatter < 0.95 * price[RITTERHAUS].scatter
+    assert price["accelerations"].scatter < price[KLEIN].scatter
+    told = {name: value[0] for name, (value, _) in results(drawn).items()}
+    assert told["klein_work_klein"] == price[KLEIN].operations
+    assert told["klein_scatter_ritterhaus"] == pytest.approx(price[RITTERHAUS].scatter, abs=0.06)
