@@ -6,17 +6,20 @@ import numpy as np
 
 from graphic_tmm.board.geometry import degrees
 from graphic_tmm.board.grammar import ANGLE, JOIN, SLIDE, operation
-from graphic_tmm.board.values import Angle, Curve, Point
+from graphic_tmm.board.values import Angle, Curve, Length, Point
 from graphic_tmm.language.said import said
 
 
 @operation(
-    symbol=f"{SLIDE} + 2C1 + C3",
+    symbol=f"{SLIDE} + M1 + R1 + M2",
     why=said("A vector stays what it is when it is carried, parallel and equal, to another pole."),
 )
-def equal_vector(pole: Point, start: Point, end: Point) -> Point:
-    """From {pole} draw a vector parallel and equal to that from {start} to {end}; mark {it}."""
-    return Point(pole + (end - start))
+def equal_vector(pole: Point, start: Point, end: Point, length: Length) -> Point:
+    """From {pole} lay off {length} parallel to the vector from {start} to {end}; mark {it}."""
+    vector = end - start
+    size = np.abs(vector)
+    there = size > 0.0
+    return Point(pole + vector * np.where(there, np.abs(length) / np.where(there, size, 1.0), 0.0))
 
 
 @operation(

@@ -15,7 +15,7 @@ from graphic_tmm.chapters.hodograph import words as why
 from graphic_tmm.chapters.hodograph.operations import equal_vector, off_tangent
 from graphic_tmm.chapters.hodograph.task import ASKED, HODOGRAPH, HodographTask
 from graphic_tmm.chapters.kinematics.motion import Motion, reading_of
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import Said, said
@@ -55,18 +55,30 @@ class Analogue(NamedTuple):
 class Hodographs:
     """What is drawn of the points; ``count``: how many positions make the row, ``closed``: a whole turn.
 
-    ``images``: of each point on its plan, by plan and letter.
+    ``held``: the positions (indices) that have plans of accelerations.
     """
 
     order: HodographTask
     curves: tuple[Hodograph, ...]
     analogues: tuple[Analogue, ...]
-    images: dict[tuple[str, str], Mark]
+    held: tuple[int, ...]
     count: int
     closed: bool
 
 
 HODOGRAPH_PLAN: Recorded[Hodographs] = Recorded(HODOGRAPH)
+
+
+class _Ground(NamedTuple):
+    """What hodographs are drawn on: the board, the plans, the images of the points on them.
+
+    ``held``: the positions (indices) that the scene wants accelerations of, whether or not a sheet shows them.
+    """
+
+    bench: Bench
+    plans: KinematicPlans
+    images: dict[tuple[str, str], Mark]
+    held: tuple[int, ...]
 
 
 def record(bench: Bench) -> Hodographs | None:
@@ -82,17 +94,20 @@ def record(bench: Bench) -> Hodographs | None:
         return None
     plans = KINEMATICS_PLAN.on(bench)
     assert plans.velocities is not None
-    _refuse(bench, order, plans)
+    wanted = bench.scene.row.accelerations if plans.accelerations is not None else ()
+    held = chosen(wanted, bench.names, ACCELERATIONS)
+    _refuse(bench, order, plans, held)
     images = {
         (plan, letter): _image(plans, motion, letter)
         for plan in SIGNS
         if (motion := plans.motion(plan)) is not None
         for letter in order.points
     }
-    wanted = [VELOCITIES, *[ACCELERATIONS] * order.accelerations]
-    curves = tuple(_draw(bench, plans, images, p, k) for p in wanted for k in order.points)
-    analogues = tuple(_analogues(bench, plans, order, images)) if order.analogues else ()
-    return Hodographs(order, curves, analogues, images, plans.in_turn, plans.closed)
+    on = _Ground(bench, plans, images, held)
+    shown = [VELOCITIES, *[ACCELERATIONS] * order.accelerations]
+    curves = tuple(_draw(on, plan, letter) for plan in shown for letter in order.points)
+    analogues = tuple(_analogues(on, order)) if order.analogues else ()
+    return Hodographs(order, curves, analogues, held, plans.in_turn, plans.closed)
 
 
 def _image(plans: KinematicPlans, motion: Motion, letter: str) -> Mark:
@@ -108,9 +123,11 @@ def _image(plans: KinematicPlans, motion: Motion, letter: str) -> Mark:
     return image
 
 
-def _refuse(bench: Bench, order: HodographTask, plans: KinematicPlans) -> None:
+def _refuse(
+    bench: Bench, order: HodographTask, plans: KinematicPlans, held: tuple[int, ...]
+) -> None:
     drive, pair, key = plans.mechanism.drive, plans.pairs[0], HODOGRAPH
-    every = plans.accelerated == tuple(range(len(bench.names)))
+    every = set(held) >= set(range(plans.in_turn))
     says: Said | None = None
     if bench.scene.turned:
         says = said(
@@ -140,60 +157,54 @@ def _refuse(bench: Bench, order: HodographTask, plans: KinematicPlans) -> None:
         raise StructureError(says, key, HODOGRAPH, head=HODOGRAPH)
 
 
-def _draw(
-    bench: Bench, plans: KinematicPlans, images: dict[tuple[str, str], Mark], plan: str, letter: str
-) -> Hodograph:
+def _draw(on: _Ground, plan: str, letter: str) -> Hodograph:
     """Draw the hodograph of a point on one of the plans."""
-    draft, motion = bench.draft, plans.motion(plan)
+    draft, plans, motion = on.bench.draft, on.plans, on.plans.motion(plan)
     assert motion is not None
-    sign, row = SIGNS[plan], plans.in_turn
-    view = f"{HODOGRAPH} {sign} {letter}"
+    view, row, image = f"{HODOGRAPH} {SIGNS[plan]} {letter}", plans.in_turn, on.images[plan, letter]
     draft.open(view)
     pole = draft.take(Point, motion.images.pole.letter, 0j)
     draft.lay_out(pole, motion.mu)
-    image = images[plan, letter]
-    end = draft.draw(equal_vector, image.name, pole, motion.images.pole, image, free=True)
+    length = reading_of(draft, motion, image)
+    assert length is not None
+    vector = motion.images.pole, image, length
+    end = draft.draw(equal_vector, image.name, pole, *vector, free=True)
     op = french_curve if plans.closed else open_curve
     curve = draft.draw(op, f"({end.letter}–{end.letter})", end, row=row, why=why.CURVE)
     angle, against = None, plans.accelerations
-    if plan == VELOCITIES and against is not None and plans.accelerated:
-        view_of_angle = f"{view} tangents"
-        draft.open(view_of_angle)
-        angle = draft.draw(
-            off_tangent, f"δ_{{{letter}}}", curve, end, against.images.pole,
-            images[ACCELERATIONS, letter], unit="°", row=row,
-        )  # fmt: skip
-        bench.rows[view_of_angle] = plans.accelerated
-        bench.tell(view_of_angle, plans.accelerated)
+    if plan == VELOCITIES and against is not None and on.held:
+        _at_some(on, f"{view} tangents")
+        known = against.images.pole, on.images[ACCELERATIONS, letter]
+        angle = draft.draw(off_tangent, f"δ_{{{letter}}}", curve, end, *known, unit="°", row=row)
     return Hodograph(letter, plan, view, pole, end, curve, motion.mu, angle)
 
 
-def _analogues(
-    bench: Bench, plans: KinematicPlans, order: HodographTask, images: dict[tuple[str, str], Mark]
-) -> Iterator[Analogue]:
+def _at_some(on: _Ground, view: str) -> None:
+    """Open a view that is drawn where there are accelerations."""
+    on.bench.draft.open(view)
+    on.bench.rows[view] = on.held
+    on.bench.tell(view, on.held)
+
+
+def _analogues(on: _Ground, order: HodographTask) -> Iterator[Analogue]:
     """Yield the analogues of all points, from the readings of the plans."""
-    draft = bench.draft
-    assert plans.velocities is not None
-    omega = plans.velocities.speed
-    assert omega is not None
-    for plan, op, prime in (
-        (VELOCITIES, f.scale_of_first_analogue, "′"),
-        (ACCELERATIONS, f.scale_of_second_analogue, "″"),
-    ):
-        motion = plans.motion(plan)
-        if motion is None or (plan == ACCELERATIONS and not plans.accelerated):
-            continue
+    draft, velocities, accelerations = on.bench.draft, on.plans.velocities, on.plans.accelerations
+    assert velocities is not None
+    assert velocities.speed is not None
+    ways = [(VELOCITIES, velocities, f.scale_of_first_analogue, "′")]
+    if accelerations is not None and on.held:
+        ways.append((ACCELERATIONS, accelerations, f.scale_of_second_analogue, "″"))
+    for plan, motion, op, prime in ways:
         view = view_of_analogues(plan)
         draft.open(view)
-        mu = draft.draw(op, f"μ_{{s{prime}}}", motion.mu, omega, unit="m/mm")
+        if plan == ACCELERATIONS:
+            _at_some(on, view)
+        mu = draft.draw(op, f"μ_{{s{prime}}}", motion.mu, velocities.speed, unit="m/mm")
         for letter in order.points:
-            segment = reading_of(draft, motion, images[plan, letter])
+            segment = reading_of(draft, motion, on.images[plan, letter])
             assert segment is not None
             value = draft.draw(in_si, f"s{prime}_{{{letter}}}", segment, mu, unit="m")
             yield Analogue(letter, plan, segment, value)
-        if plan == ACCELERATIONS:
-            bench.rows[view] = plans.accelerated
-            bench.tell(view, plans.accelerated)
 
 
 def view_of_analogues(plan: str) -> str:

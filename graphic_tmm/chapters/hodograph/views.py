@@ -37,8 +37,9 @@ def _view(drawn: Drawn, one: Hodograph, lettered: bool) -> Drawing | None:
         return None
     language, scale = drawn.scene.language, drawn.scales[one.plan]
     left_out = {*drawn.undrawn, *KINEMATICS_PLAN.on(drawn).repeated}
-    places = [k for k in drawn.all if k not in left_out]
-    held = drawn.row(one.angle.view) if one.angle is not None else ()
+    held = HODOGRAPH_PLAN.on(drawn).held
+    every = drawn.all if one.plan == VELOCITIES else held
+    places = [k for k in every if k not in left_out]
     on = subject(drawn, title(one, language), HODOGRAPH, name=one.view.replace(" ", "-"))
     view = draw_hodograph(on, one, drawn.names, places, held, scale.value, UNITS[one.plan])
     return with_caption(view, on, lettered, mu_text(scale, language))

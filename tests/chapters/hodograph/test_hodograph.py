@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 from support.boards import in_usual_size
 
-from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.hodograph.findings import WARNINGS
 from graphic_tmm.chapters.hodograph.ink import draw_hodograph
@@ -215,14 +214,13 @@ def test_a_vector_that_is_off_is_told(tmp_path: Path) -> None:
     """One acceleration turned by 15°, as by a mistake in its plan: its angle is beyond the limit."""
     drawn = drawn_of(tmp_path, count=24)
     (one,) = of(drawn).curves
-    image: Mark = of(drawn).images["accelerations", "K"]
     step = drawn.construction.step(one.angle)
     assert step is not None
     reading = drawn.numbers.drawn
     curve, end, start, tip = (reading[mark] for mark in step.uses)
     wrong = np.array(tip)
     wrong[0, 5] = start[0, 0] + (wrong[0, 5] - start[0, 0]) * np.exp(1j * math.radians(15.0))
-    assert step.uses[3] == image
+    assert step.uses[3].view == "accelerations"
     found = off_tangent.run(curve, end, start, wrong, row=24)[0]
     over = np.abs(found) > limits(drawn, one)[0]
     assert np.flatnonzero(over).tolist() == [5]
