@@ -14,6 +14,7 @@ from graphic_tmm.chapters.hodograph import formulas as f
 from graphic_tmm.chapters.hodograph import words as why
 from graphic_tmm.chapters.hodograph.operations import equal_vector, off_tangent
 from graphic_tmm.chapters.hodograph.task import ASKED, HODOGRAPH, HodographTask
+from graphic_tmm.chapters.kinematics.bodies import sliding_points
 from graphic_tmm.chapters.kinematics.motion import Motion, reading_of
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
@@ -172,11 +173,18 @@ def _draw(on: _Ground, plan: str, letter: str) -> Hodograph:
     op = french_curve if plans.closed else open_curve
     curve = draft.draw(op, f"({end.letter}–{end.letter})", end, row=row, why=why.CURVE)
     angle, against = None, plans.accelerations
-    if plan == VELOCITIES and against is not None and on.held:
+    if plan == VELOCITIES and against is not None and on.held and not _straight(plans, letter):
         _at_some(on, f"{view} tangents")
         known = against.images.pole, on.images[ACCELERATIONS, letter]
         angle = draft.draw(off_tangent, f"δ_{{{letter}}}", curve, end, *known, unit="°", row=row)
     return Hodograph(letter, plan, view, pole, end, curve, motion.mu, angle)
+
+
+def _straight(plans: KinematicPlans, letter: str) -> bool:
+    """Whether a point slides on the frame: its hodograph is a straight line, whose tangent tells nothing."""
+    positions, frame = plans.positions, plans.mechanism.frame.number
+    there = sliding_points(positions.closings, positions.bodies, frame, HODOGRAPH)
+    return letter in [point for point, _ in there]
 
 
 def _at_some(on: _Ground, view: str) -> None:

@@ -313,3 +313,46 @@ def test_a_scene_without_the_section_records_no_step(tmp_path: Path) -> None:
     assert {n for n in names if "hodograph" in n}
     assert not [s for s in bare.construction.steps if "hodograph" in s.it.view]
     assert KINEMATICS_PLAN.on(bare).velocities is not None
+
+
+def test_a_point_that_slides_on_the_frame_has_a_straight_hodograph(tmp_path: Path) -> None:
+    """Dead centres are ends at the pole; no tangent is held against anything, and nothing is in doubt."""
+    path = tmp_path / "scene.toml"
+    path.write_text(SLIDER, encoding="utf-8")
+    (drawn,) = in_usual_size(read(path), exact=True).boards
+    (one,) = of(drawn).curves
+    ends = drawn.reading[one.end][0]
+    assert one.angle is None
+    assert np.abs(ends.imag).max() < 1e-12
+    assert np.abs(ends[[0, 6]]).max() < 1e-12
+    assert not list(drawn.findings())
+
+
+SLIDER = """title = "T"
+language = "en"
+[frame]
+number = 4
+O = [0, 0]
+x = { through = [0, 0], angle = "0 deg" }
+[[link]]
+number = 1
+points = { O = [0, 0], A = [0.1, 0] }
+[[link]]
+number = 2
+points = { A = [0, 0], B = [0.4, 0] }
+[[link]]
+number = 3
+points = { B = [0, 0] }
+slides = { on = "frame", along = "x", side = "+" }
+[drive]
+link = 1
+speed = "20 rad/s"
+turns = "counterclockwise"
+positions = 12
+zero = { point = "B", at = "right" }
+accelerations = "all"
+[hodograph]
+points = ["B"]
+[[sheet]]
+format = "A1"
+"""
