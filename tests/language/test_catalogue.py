@@ -53,6 +53,7 @@ RUSSIAN_BY_NATURE = {
     "chapters/engine/task.py": "input: Russian synonyms of choices",
     "chapters/flywheel/task.py": "input: Russian synonyms of choices",
     "chapters/forces/kinds.py": "input: Russian synonyms of choices",
+    "chapters/klein/task.py": "input: Russian synonyms of choices",
     "chapters/indicator/task.py": "input: Russian synonyms of choices",
     "chapters/motion_law/record.py": "input: the Russian word for the speeds that it gives",
 }

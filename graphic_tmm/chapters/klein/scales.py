@@ -1,0 +1,46 @@
+"""How large the constructions may be drawn; their μ_l, by crank and rod in one line."""
+
+from __future__ import annotations
+
+from graphic_tmm.board.scales import Scale, standard_length
+from graphic_tmm.chapters.klein.plan import KLEIN_PLAN
+from graphic_tmm.chapters.klein.task import KLEIN, VIEWS
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.fitting.choice import Choice, Ledger, usual_room, value_of
+from graphic_tmm.fitting.scales import Fitting, ScaleFactors
+from graphic_tmm.fitting.sizes import Size, Sizing
+from graphic_tmm.language.said import said
+
+ROOM = 200.0
+"""Room for crank and rod in one line, mm on an A1, on other formats in proportion."""
+
+SIZES = Sizing(
+    sizes=(Size(KLEIN, ROOM, in_mm=True, low=0.6, high=1.5, least=0.3),),
+    depends={KLEIN: lambda scene, role: (KLEIN,)},
+)
+
+
+def _scales(fitting: Fitting) -> dict[str, Scale]:
+    made = KLEIN_PLAN.of(fitting)
+    if made is None:
+        return {}
+    mu = standard_length(made.of.crank + made.of.length, fitting.sizes[KLEIN])
+    return {view: Scale("μ_l", mu, "m/mm") for view in made.figures}
+
+
+_WHY = said("Crank and rod in one line take {room}.", room=usual_room(ROOM))
+
+
+def _choose(drawn: Drawn, ledger: Ledger) -> None:
+    """Record how μ_l of the constructions was chosen."""
+    made = KLEIN_PLAN.of(drawn)
+    for view in made.figures if made is not None else ():
+        assert made is not None
+        ledger.of(view)
+        most = ledger.quantity("l_{max}", made.of.crank + made.of.length, "m")
+        mu = drawn.project.scale(view)
+        ledger.fitting(mu, most, value_of(drawn, mu), lengths=True, why=_WHY)
+
+
+CHOICE = Choice(choose=_choose)
+SCALES = ScaleFactors(plan_scales=_scales, keys=lambda project: {v: f"mu_l_{v}" for v in VIEWS})
