@@ -3,20 +3,10 @@
 from __future__ import annotations
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import READ, SLIDE, operation
-from graphic_tmm.board.values import Length, Number, Point
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.language.said import said
 
 _TOGETHER = "both centres fall together"
-
-
-@operation(
-    symbol=f"{READ} + N1 + {SLIDE} + M1 + R1 + M2",
-    why=said("Centres lie far apart: their scheme is drawn to a scale that leaves room for them."),
-)
-def carry_point(point: Point, mu_l: Number, mu: Number) -> Point:
-    """Carry {point} over to the scheme of centres, which has a scale {mu} of its own: mark {it}."""
-    return Point(point * (mu_l / mu))
 
 
 @formula(

@@ -8,10 +8,10 @@ from typing import Any
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
+from graphic_tmm.board.operations.carried import carry_over
 from graphic_tmm.board.operations.instruments import square
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.centres import words as why
-from graphic_tmm.chapters.centres.formulas import carry_point
 from graphic_tmm.chapters.centres.network import GUIDE, PIN, WHEEL, Centre, Network
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, incline_by
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
@@ -30,7 +30,7 @@ class Scheme:
         """Return a point of the plan of positions in the scheme."""
         if of not in self.points:
             factors = self.draft.mu_l, self.mu
-            self.points[of] = self.network.draw(carry_point, of.letter, of, *factors, free=True)
+            self.points[of] = self.network.draw(carry_over, of.letter, of, *factors, free=True)
         return self.points[of]
 
     def images(self, link: int) -> Mapping[Mark, Mark]:

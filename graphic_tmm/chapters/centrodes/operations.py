@@ -31,15 +31,6 @@ _CENTRODE = said(
 
 
 @operation(
-    symbol="2E1 + 2E2 + 2M1 + 2R1 + 2M2",
-    why=said("Centrodes have a scale of their own, so that their far points find room."),
-)
-def plot_over(point: Point, mu_l: Number, mu: Number) -> Point:
-    """Carry {point} over to the drawing of the centrodes, which has the scale {mu}: mark {it}."""
-    return Point(point * (mu_l / mu))
-
-
-@operation(
     symbol=SLIDE,
     swings=True,
     fails="the point stands still for a moment",

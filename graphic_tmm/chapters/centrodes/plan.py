@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
+from graphic_tmm.board.operations.carried import carry_over
 from graphic_tmm.board.operations.graphs import standing
 from graphic_tmm.board.operations.instruments import join, measure_along, meet, ray, square
 from graphic_tmm.board.record import Mark
@@ -190,7 +191,7 @@ class _Plan:
         """Return a point of the plan of positions as it stands here."""
         if of not in self.known:
             factors = (self.draft.mu_l, self.mu)
-            self.known[of] = self.draft.draw(o.plot_over, of.name, of, *factors, free=True)
+            self.known[of] = self.draft.draw(carry_over, of.name, of, *factors, free=True)
         return self.known[of]
 
     def normals(self) -> tuple[tuple[str, str], tuple[Mark, Mark], bool]:

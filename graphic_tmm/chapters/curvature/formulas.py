@@ -3,21 +3,9 @@
 from __future__ import annotations
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.grammar import READ, SLIDE, operation
 from graphic_tmm.board.operations.statics import STANDS
-from graphic_tmm.board.values import Length, Number, Point
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.language.said import said
-
-
-@operation(
-    symbol=f"{READ} + N1 + {SLIDE} + M1 + R1 + M2",
-    why=said(
-        "Centres of curvature may lie far off: the link is drawn by itself, so large as they leave room."
-    ),
-)
-def carry_over(point: Point, mu_l: Number, mu: Number) -> Point:
-    """Carry {point} over to this figure, which has a scale {mu} of its own: mark {it}."""
-    return Point(point * (mu_l / mu))
 
 
 @formula(

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.operations.carried import carry_over
 from graphic_tmm.board.operations.graphs import halve
 from graphic_tmm.board.operations.instruments import (
     join,
@@ -17,7 +18,6 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.curvature import words as why
-from graphic_tmm.chapters.curvature.formulas import carry_over
 from graphic_tmm.chapters.kinematics.bodies import Body
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 

@@ -114,7 +114,7 @@ class Motion:
         a lever, ``omega``, ``eps``, ``pressure``; ``n1``, ``planetary_n_H``; and how far wheels have turned,
         ``phi1``, ``planetary_phi_H``. Of centrodes P_20 of link 2 on the frame 0, m: ``x20``, ``y20`` from the
         first pivot along the axes of the frame, ``xi20``, ``eta20`` from the first of two points of the link,
-        along and square to their line. Radii of curvature by points, m: ``rho_K``. NaN where a quantity is none.
+        along and square to their line. Radii of curvature by points, m: ``rho_K``. NaN where there is none.
     profile
         Points of the cam, in axes that turn with it, from its centre, m, x + iy: ``K`` of its profile, ``B`` of
         the theoretical one, or of the follower on arcs.

@@ -101,7 +101,7 @@ def test_the_figures_of_the_field() -> None:
            "K_0′": 0.126197 + 0.159237j, "Π": 0.331497 - 0.126560j}  # fmt: skip
     for name, place in due.items():
         assert abs(found.centres[name][0] - place) < 1e-6, name
-    assert abs(found.radii["K"][0] - 0.053472) < 5e-7
+    assert abs(found.columns["rho_K"][0] - 0.053472) < 5e-7
 
 
 @pytest.mark.parametrize("phi", [20.0, 75.0, 160.0, 250.0, 310.0])
@@ -113,7 +113,7 @@ def test_radii_by_a_loop_differentiated_with_many_digits(phi: float) -> None:
     radius = 1.0 / float(curvature(path, angle))
     centre = place + radius * 1j * way / abs(way)
     size = max(1.0, abs(radius))
-    assert abs(found.radii["K"][0] - abs(radius)) < 1e-11 * size
+    assert abs(found.columns["rho_K"][0] - abs(radius)) < 1e-11 * size
     for name in ("K_0", "K_0′"):
         assert abs(found.centres[name][0] - centre) < 1e-10 * size
 
@@ -164,7 +164,7 @@ def test_the_ellipses_of_scott_russell() -> None:
     # K = (0.1 − 0.04)·cos φ, (0.1 + 0.04)·sin φ
     radius = (p**2 * math.sin(phi) ** 2 + q**2 * math.cos(phi) ** 2) ** 1.5 / (p * q)
     assert abs(found.places["K", 2][0] - complex(p * math.cos(phi), q * math.sin(phi))) < 1e-14
-    assert abs(found.radii["K"][0] - radius) < 1e-13
+    assert abs(found.columns["rho_K"][0] - radius) < 1e-13
     for name in ("K_0", "K_0′"):
         c = p**2 - q**2
         due = complex(c / p * math.cos(phi) ** 3, -c / q * math.sin(phi) ** 3)
@@ -211,12 +211,12 @@ def judged(seed: int) -> dict[str, float]:
             rest = place - gain / turning
             note("Π", abs(curved.centres["Π"][k] - rest) / (found.scale + abs(rest)))
             middle = (curved.centres["P"][k] + curved.centres["J"][k]) / 2
-            straight = any(np.isnan(one).all() for one in curved.radii.values())
+            straight = any(np.isnan(one).all() for one in curved.columns.values())
             for turn in () if straight else (1.0, 2.0, 4.0):
                 spot = middle + (middle - curved.centres["P"][k]) * cmath.exp(1j * turn)
                 v, a = speed + 1j * omega * (spot - place), gain + turning * (spot - place)
                 note("circle", abs((a * (1j * v).conjugate()).real) / (abs(v) * abs(a)))
-            for letter, radii in curved.radii.items():
+            for letter, radii in curved.columns.items():
                 place, speed, gain = state.point(letter, n)
                 normal = 1j * speed / abs(speed)
                 part = (gain * normal.conjugate()).real
