@@ -216,7 +216,8 @@ def judged(seed: int) -> dict[str, float]:
                 spot = middle + (middle - curved.centres["P"][k]) * cmath.exp(1j * turn)
                 v, a = speed + 1j * omega * (spot - place), gain + turning * (spot - place)
                 note("circle", abs((a * (1j * v).conjugate()).real) / (abs(v) * abs(a)))
-            for letter, radii in curved.columns.items():
+            for name, radii in curved.columns.items():
+                letter = name.removeprefix("rho_")
                 place, speed, gain = state.point(letter, n)
                 normal = 1j * speed / abs(speed)
                 part = (gain * normal.conjugate()).real
