@@ -197,6 +197,7 @@ PARTS: dict[str, str] = {
     "sliding": said("sense of what slides"),
     "station": said("discs, planes and bearings"),
     "stone": said("stones"),
+    "tangent": said("tangents"),
     "tooth": said("teeth"),
     "turning": said("sense of the crank"),
     "vector": said("vectors"),

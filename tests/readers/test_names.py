@@ -44,6 +44,10 @@ PACKAGED = sorted(
 PLANS = (
     "synthesis", "extremes", "positions", "velocities", "accelerations", "forces", "engine", "diagrams",
     "flywheel", "balance", "cam", "arc_cam", "gears", "planetary", "cycle",
+    "hodograph",
+    "analogues",
+    "klein",
+    "ritterhaus",
 )  # fmt: skip
 
 LATIN = re.compile(

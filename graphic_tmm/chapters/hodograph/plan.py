@@ -207,7 +207,7 @@ def _analogues(on: _Ground, order: HodographTask) -> Iterator[Analogue]:
         draft.open(view)
         if plan == ACCELERATIONS:
             _at_some(on, view)
-        mu = draft.draw(op, f"μ_{{s{prime}}}", motion.mu, velocities.speed, unit="m/mm")
+        mu = draft.draw(op, f"μ{prime}", motion.mu, velocities.speed, unit="m/mm")
         for letter in order.points:
             segment = reading_of(draft, motion, on.images[plan, letter])
             assert segment is not None

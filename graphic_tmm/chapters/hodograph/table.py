@@ -16,7 +16,7 @@ from graphic_tmm.chapters.hodograph.plan import (
     view_of_analogues,
 )
 from graphic_tmm.chapters.hodograph.task import HODOGRAPH
-from graphic_tmm.chapters.hodograph.words import ANALOGUES
+from graphic_tmm.chapters.hodograph.words import ANALOGUES, LIMIT
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -77,9 +77,9 @@ def tangent_columns(drawn: Drawn) -> Iterator[Column]:
     for one in made.curves if made is not None else ():
         if one.angle is None:
             continue
-        named = ((one.angle.name, angles(drawn, one)), (f"τ_{{{one.point}}}", limits(drawn, one)))
-        for letter, row in named:
-            yield Column(HODOGRAPH, segment_name(letter), letter, "°", none, row)
+        name = segment_name(one.angle.name)
+        yield Column(HODOGRAPH, name, one.angle.name, "°", none, angles(drawn, one))
+        yield Column(HODOGRAPH, f"{name}_limit", LIMIT, "°", none, limits(drawn, one))
 
 
 def analogue_columns(drawn: Drawn) -> Iterator[Column]:

@@ -6,7 +6,7 @@ from graphic_tmm.chapters.hodograph.task import HODOGRAPH, TABLE
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
-ANALOGUES = "analogues"
+ANALOGUES, LIMIT = "analogues", "hodograph_limit"
 VELOCITY = said("Hodograph of the velocities of point {point}")
 ACCELERATION = said("Hodograph of the accelerations of point {point}")
 TANGENTS = said("Tangents of the hodograph of point {point}")
@@ -16,6 +16,7 @@ CAPTIONS: dict[str, str] = {
     "chapter hodograph": said("Hodographs and analogues"),
     HODOGRAPH: said("Hodographs"),
     TABLE: said("Hodographs: angles to the plans"),
+    LIMIT: said("its limit"),
     ANALOGUES: said("Analogues of velocities and accelerations"),
     f"table {HODOGRAPH}": said("Tangents of the hodograph against the plans of accelerations"),
     f"table {ANALOGUES}": said("Analogues s′ = dS/dφ, s″ = d²S/dφ²"),

@@ -93,8 +93,11 @@ def draw_construction(on: Subject, made: Figure, place: int) -> Drawing:
         along = seen.line(made.along, place)[1]
         turn = math.degrees(cmath.phase(along))
         links = [line("rod", pivot, pin), line("rod", pin, stone)]
-        signs = [*slider(stone, turn, pin=True), *fixed_pivot(pivot), *turning_pair(pin)]
-        strokes += body([*links, *signs], "slider-crank", marks, place)
+        for part, signs in (
+            ("link", links), ("slider", slider(stone, turn, pin=True)), ("pivot", fixed_pivot(pivot)),
+            ("pair", turning_pair(pin)),
+        ):  # fmt: skip
+            strokes += body(signs, part, marks, place)
     for one in made.points:
         spot = seen.point(one.at, place)
         if finite(spot):

@@ -114,6 +114,7 @@ class _Drawing:
         pivot, A, B = of.pivot, of.pin, of.slider
         draft.open(self.view)
         mu = draft.scale("μ_l", "m/mm")
+        draft.open(f"{self.view} scales")
         omega = self._omega()
         self.scales = {
             unit: draft.draw(op, letter, mu, omega, unit=f"({unit})/mm")
@@ -121,6 +122,7 @@ class _Drawing:
                 (f.velocities_on_figure, "μ_v", "m/s"), (f.accelerations_on_figure, "μ_a", "m/s²"),
             )
         }  # fmt: skip
+        draft.open(self.view)
         self.O = draft.take(Point, pivot, 0j)
         draft.lay_out(self.O)
         self.crank = self._crank()

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
+
+from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale, standard_length
 from graphic_tmm.chapters.klein.plan import KLEIN_PLAN
 from graphic_tmm.chapters.klein.task import KLEIN, VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.choice import Choice, Ledger, usual_room, value_of
-from graphic_tmm.fitting.scales import Fitting, ScaleFactors
+from graphic_tmm.fitting.scales import Fitting, ScaleFactors, scale_of
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
+from graphic_tmm.project import Project
 
 ROOM = 200.0
 """Room for crank and rod in one line, mm on an A1, on other formats in proportion."""
@@ -43,4 +48,19 @@ def _choose(drawn: Drawn, ledger: Ledger) -> None:
 
 
 CHOICE = Choice(choose=_choose)
-SCALES = ScaleFactors(plan_scales=_scales, keys=lambda project: {v: f"mu_l_{v}" for v in VIEWS})
+
+
+def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
+    """Return μ of velocities and of accelerations, which follow from μ_l and ω."""
+    made, found = KLEIN_PLAN.of(project), dict[str, Scale]()
+    for view, figure in made.figures.items() if made is not None else ():
+        found |= {f"{view} {mu.name}": scale_of(mu, reading) for mu in figure.scales[1:]}
+    return found
+
+
+def _keys(project: Project) -> dict[str, str]:
+    signs = {f"{view} μ_{sign}": f"mu_{sign}_{view}" for view in VIEWS for sign in "va"}
+    return {**{view: f"mu_l_{view}" for view in VIEWS}, **signs}
+
+
+SCALES = ScaleFactors(plan_scales=_scales, named=_named, keys=_keys)

@@ -12,6 +12,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.klein.accuracy import prices
 from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.task import VIEWS
+from graphic_tmm.chapters.klein.words import DIFFERENCE
 from graphic_tmm.drawn import Drawn, Results
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.protocol import Protocols
@@ -37,9 +38,8 @@ def figure_columns(drawn: Drawn, figure: Figure) -> Iterator[Column]:
         )  # fmt: skip
         mark = planned.get(one.vector)
         if mark is not None and (due := _by_plan(drawn, mark)) is not None:
-            name = f"Δ_{{{one.vector}}}"
             apart = _apart(value, due, drawn.percent_decimals)
-            yield Column(figure.view, segment_name(name), name, "%", empty(count), apart)
+            yield Column(figure.view, f"{segment}_off", DIFFERENCE, "%", empty(count), apart)
 
 
 def _planned(drawn: Drawn) -> dict[str, Mark]:
@@ -90,4 +90,4 @@ def results(drawn: Drawn) -> Results:
 
 
 TABLE = Tabled(columns=columns, results=results)
-PROTOCOL = Protocols(views=lambda project: {view: (view,) for view in VIEWS})
+PROTOCOL = Protocols(views=lambda project: {view: (f"{view} scales", view) for view in VIEWS})

@@ -38,7 +38,8 @@ def _row(drawn: Drawn, figure: Figure, lettered: bool) -> list[Drawing]:
     if reading is None or view not in drawn.scales:
         return []
     views, told = list[Drawing](), list[tuple[str, str]]()
-    mu = ", ".join(mu_text(scale_of(one, reading), language) for one in figure.scales)
+    scales = [drawn.scales[view], *(scale_of(one, drawn.reading) for one in figure.scales[1:])]
+    mu = ", ".join(mu_text(one, language) for one in scales)
     for k, place in enumerate(drawn.row(view)):
         if place in drawn.undrawn:
             continue

@@ -7,6 +7,7 @@ from graphic_tmm.chapters.klein.task import KLEIN, RITTERHAUS, TABLE
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
+DIFFERENCE = "klein_difference"
 SEVERAL = {
     KLEIN: said("Klein's construction by positions"),
     RITTERHAUS: said("Ritterhaus's construction by positions"),
@@ -16,6 +17,7 @@ CAPTIONS: dict[str, str] = {
     KLEIN: said("Klein's construction"),
     RITTERHAUS: said("Ritterhaus's construction"),
     TABLE: said("Velocities and accelerations by Klein's figure"),
+    DIFFERENCE: said("off the plan"),
     "klein results": said("Ways to the slider's acceleration"),
     f"klein_work_{KLEIN}": said("operations in a position, Klein"),
     f"klein_scatter_{KLEIN}": said("scatter by a student's hand, Klein"),
