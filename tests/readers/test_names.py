@@ -43,7 +43,7 @@ PACKAGED = sorted(
 )
 PLANS = (
     "synthesis", "extremes", "positions", "velocities", "accelerations", "forces", "engine", "diagrams",
-    "flywheel", "balance", "cam", "arc_cam", "gears", "planetary", "cycle",
+    "flywheel", "balance", "curvature", "cam", "arc_cam", "gears", "planetary", "cycle",
 )  # fmt: skip
 
 LATIN = re.compile(

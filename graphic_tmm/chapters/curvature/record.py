@@ -69,7 +69,7 @@ def record(bench: Bench) -> Curvature | None:
     for view in (CURVATURE, BRESSE, BALL, ACCELERATIONS):
         bench.tell(view, places)
     number, quarters = body.link.number, plans.mechanism.drive.sense * bench.scene.turned
-    figure = LinkFigure(bench.draft, plans, body, CURVATURE, str(number))
+    figure = LinkFigure(bench.draft, plans, body, CURVATURE, f"l{number}")
     known = known_paths(figure)
     held_by = {*known.guides, *known.pivots}
     asked = order.points or tuple(k for k in body.link.points if k not in held_by)
@@ -90,12 +90,12 @@ def record(bench: Bench) -> Curvature | None:
     figure.coordinates(holding.pole, *(one.centre for one in own))
     bresse = ball = None
     if order.circles or order.ball:
-        circles = LinkFigure(bench.draft, plans, body, BRESSE, f"{number}W")
+        circles = LinkFigure(bench.draft, plans, body, BRESSE, "W")
         bresse = draw_bresse(circles, holding, figure.mu)
         if order.ball and any(one.pivot is None for one in holding.held):
             raise _fault(_NO_BALL, "ball")
         if order.ball:
-            ball = draw_ball(LinkFigure(bench.draft, plans, body, BALL, f"{number}U"), bresse)
+            ball = draw_ball(LinkFigure(bench.draft, plans, body, BALL, "U"), bresse)
     return Curvature(places, figure, holding, own, centres, bresse, ball)
 
 

@@ -32,8 +32,9 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
 
 def between(drawn: Drawn, turn: Turn) -> Between:
     """Return μ_l of the constructions, at all angles the finest of their positions."""
-    figures, row = CURVATURE_PLAN.on(drawn).figures, (1, turn.turned.size)
-    return {one.mu: np.full(row, np.min(np.asarray(drawn.given[one.mu]))) for one in figures}
+    rows = {one.mu: np.asarray(drawn.given[one.mu]) for one in CURVATURE_PLAN.on(drawn).figures}
+    alike = (1, turn.turned.size)
+    return {mu: np.full(alike, row.min()) for mu, row in rows.items() if row.size > 1}
 
 
 TURNING = Turning(told=quantities, between=between)
