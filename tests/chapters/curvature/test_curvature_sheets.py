@@ -102,3 +102,13 @@ def test_a_task_names_what_is_sought() -> None:
     assert "круги Бресса" in sentences
     assert "точку Болла" in sentences
     assert "звена 2" in " ".join(asks(graphic_tmm.read(slider(link=2)), "ru"))
+
+
+def test_a_value_is_its_segment_times_mu() -> None:
+    board = make(SCENE).boards[0]
+    for figure in CURVATURE_PLAN.on(board).figures:
+        mu = board.reading[figure.mu][0, 0]
+        for column in graphic_tmm.draw(SCENE).table(figure.view).values():
+            there = np.isfinite(column.mm[0])
+            np.testing.assert_allclose(column.value[0, there], column.mm[0, there] * mu, rtol=1e-11)
+            assert [*np.flatnonzero(np.isfinite(column.value[0]))] == [1]
