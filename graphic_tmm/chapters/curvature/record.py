@@ -14,7 +14,7 @@ from graphic_tmm.chapters.curvature.bobillier import (
     draw_path,
     known_paths,
 )
-from graphic_tmm.chapters.curvature.bresse import Ball, Bresse, draw_ball, draw_bresse
+from graphic_tmm.chapters.curvature.bresse import Bresse, draw_ball, draw_bresse
 from graphic_tmm.chapters.curvature.link_figure import LinkFigure
 from graphic_tmm.chapters.curvature.task import ASKED, BALL, BRESSE, CURVATURE, CurvatureTask
 from graphic_tmm.chapters.kinematics.bodies import Body
@@ -40,13 +40,13 @@ class Curvature:
     paths: tuple[Path, ...]
     centres: tuple[Mark, ...]
     bresse: Bresse | None
-    ball: Ball | None
+    ball: LinkFigure | None
 
     @property
     def figures(self) -> tuple[LinkFigure, ...]:
         """The views in which the link is drawn."""
-        more = (one.figure for one in (self.bresse, self.ball) if one is not None)
-        return (self.figure, *more)
+        circles = self.bresse.figure if self.bresse is not None else None
+        return tuple(one for one in (self.figure, circles, self.ball) if one is not None)
 
 
 CURVATURE_PLAN: Recorded[Curvature] = Recorded(CURVATURE)

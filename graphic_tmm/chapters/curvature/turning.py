@@ -23,7 +23,7 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
     if (bresse := made.bresse) is not None:
         marks += [(one, bresse.figure.mu) for one in (bresse.rest, bresse.inflection.end)]
     if made.ball is not None:
-        marks.append((made.ball.point, made.ball.figure.mu))
+        marks.append((made.ball.results[0], made.ball.mu))
     for mark, mu in marks:
         yield TurnQuantity("curvature", "centres", mark.letter, mark, mu, origin=origin)
     for one in made.paths:
