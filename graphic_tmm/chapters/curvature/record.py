@@ -105,14 +105,14 @@ def _body(plans: KinematicPlans, order: CurvatureTask) -> Body:
     own = [n for n in bodies if n != frame and {*order.points} <= bodies[n].link.points.keys()]
     moving = own if order.link is None else [n for n in (order.link,) if n in own]
     if not moving:
-        listed = ", ".join(order.points)
-        says = said(
-            _NO_LINK if order.link is None else _NO_POINTS, n=order.link or 0, listed=listed
-        )
+        text = _NO_LINK if order.link is None else _NO_POINTS
+        says = said(text, n=order.link or 0, listed=", ".join(order.points))
         raise _fault(says, "points" if order.points else "link")
     body, fixed = bodies[moving[0]], bodies[frame].marks
     if pivot := next((k for k in body.link.points if k in fixed), None):
         raise _fault(said(_PIVOTED, n=moving[0], letter=pivot), "link")
+    if plans.accelerations is None:
+        raise StructureError(_REST, "drive.speed", head=CURVATURE)
     if plans.velocities is None or moving[0] not in plans.velocities.rates:
         raise _fault(said(_LEVEL, n=moving[0]), "link")
     return body
@@ -122,6 +122,7 @@ _NO_LINK = said("no link has all of the points {listed}: ask for those of one li
 _NO_POINTS = said(
     "there is no moving link {n} with the points {listed}: write them in its [[link]]"
 )
+_REST = said("the mechanism stands still and has no plan of accelerations: write a speed, not 0")
 _PIVOTED = said(
     "link {n} turns about {letter}: that is the centre of curvature of all its paths; take another link"
 )

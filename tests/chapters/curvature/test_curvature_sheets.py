@@ -54,6 +54,13 @@ def test_what_cannot_be_found_is_refused_in_a_sentence(asked: dict[str, Any], sa
         make(graphic_tmm.read(slider(**asked)))
 
 
+def test_a_mechanism_at_rest_is_refused() -> None:
+    scene = slider(link=2)
+    scene["drive"]["speed"] = 0
+    with pytest.raises(TmmError, match="stands still and has no plan of accelerations"):
+        make(graphic_tmm.read(scene))
+
+
 def test_where_the_rod_only_moves_along_nothing_is_told_but_a_finding() -> None:
     sheet = graphic_tmm.draw(slider(link=2, positions="all"), exact=True)
     table, circles = sheet.table("curvature"), sheet.table("bresse")
