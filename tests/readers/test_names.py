@@ -43,11 +43,8 @@ PACKAGED = sorted(
 )
 PLANS = (
     "synthesis", "extremes", "positions", "velocities", "accelerations", "forces", "engine", "diagrams",
-    "flywheel", "balance", "cam", "arc_cam", "gears", "planetary", "cycle",
-    "hodograph",
-    "analogues",
-    "klein",
-    "ritterhaus",
+    "flywheel", "balance", "centres", "centrodes", "curvature", "hodograph", "analogues", "klein", "ritterhaus",
+    "cam", "arc_cam", "gears", "planetary", "cycle",
 )  # fmt: skip
 
 LATIN = re.compile(

@@ -22,7 +22,7 @@ from graphic_tmm.chapters.curvature import words as why
 from graphic_tmm.chapters.curvature.link_figure import Held, LinkFigure
 from graphic_tmm.chapters.kinematics.bodies import sliding_points
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
-from graphic_tmm.chapters.kinematics.motion import image_letter, reading_of
+from graphic_tmm.chapters.kinematics.motion import component, image_letter, reading_of
 from graphic_tmm.chapters.kinematics.rows import path_radius
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
 
@@ -99,13 +99,19 @@ def draw_path(figure: LinkFigure, letter: str, quarters: int) -> Path | None:
     start = velocities.images.pole
     way = draft.draw(join, f"(v_{{{letter}}})", start, image, free=True, why=why.WAY)
     draft.open(ACCELERATIONS)
-    op, sense = (parallel, -quarters) if quarters else (square, 1)
+    (op, sense), (other, back) = ((square, 1), (parallel, 1))
+    if quarters:
+        (op, sense), (other, back) = ((parallel, -quarters), (square, quarters))
     along = draft.draw(
         op, f"(n_{{{small}}})", pole, way, sense=sense, free=True, why=why.ALONG_NORMAL
     )
-    part = draft.draw(
-        measure_along, f"n_{{{small}}}", pole, end, along, free=True, why=why.NORMAL_PART
+    across = draft.draw(
+        other, f"(t_{{{small}}})", end, way, sense=back, free=True, why=why.NORMAL_PART
     )
+    foot = draft.draw(meet, f"{small}′", along, across, free=True, why=why.NORMAL_PART)
+    segment = between(pole, foot.letter)
+    part = draft.draw(measure_along, segment, pole, foot, along, free=True, why=why.NORMAL_PART)
+    component(draft, part, "n", small)
     at, name = figure.letters[letter], centre_letter(letter)
     radius = figure.put(
         path_radius, f"ρ_{{{letter}}}", speed, velocities.mu, part, gained.mu, unit="m"

@@ -29,13 +29,6 @@ class Bresse(NamedTuple):
     rest: Mark
 
 
-class Ball(NamedTuple):
-    """Ball's ``point`` as drawn."""
-
-    figure: LinkFigure
-    point: Mark
-
-
 def draw_bresse(figure: LinkFigure, holding: Holding, mu: Mark) -> Bresse:
     """Draw both circles; ``mu``: of the view in which P was found."""
     pole = figure.point(holding.pole, mu)
@@ -85,7 +78,7 @@ def _inflected(figure: LinkFigure, pole: Mark, one: Held) -> Mark:
     return figure.put(lay_off, name, one.normal, long)
 
 
-def draw_ball(figure: LinkFigure, bresse: Bresse) -> Ball:
+def draw_ball(figure: LinkFigure, bresse: Bresse) -> LinkFigure:
     """Find Ball's point: where the inflection circle meets the cubic of stationary curvature again.
 
     A point of the cubic, at the distance r from P and seen under ψ from t, has 1/r = 1/(M·sin ψ) + 1/(N·cos ψ).
@@ -116,6 +109,5 @@ def draw_ball(figure: LinkFigure, bresse: Bresse) -> Ball:
     foot = figure.put(meet, "X", down, tangent, why=why.BALL_POINT)
     chord = figure.line(end, foot, why.BALL_POINT)
     ray = figure.put(square, "(PU)", pole, chord, sense=1, why=why.BALL_POINT)
-    point = figure.put(meet, "U", ray, chord, why=why.BALL_POINT)
-    figure.coordinates(point)
-    return Ball(figure, point)
+    figure.coordinates(figure.put(meet, "U", ray, chord, why=why.BALL_POINT))
+    return figure

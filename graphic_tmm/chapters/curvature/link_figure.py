@@ -57,7 +57,7 @@ class LinkFigure:
         self.draft, self.plans, self.body, self.view = draft, plans, body, view
         self.number, self.frame = body.link.number, plans.mechanism.frame.number
         draft.open(view)
-        self.mu = draft.scale(f"μ_{{l{index}}}", "m/mm")
+        self.mu = draft.scale(f"μ_{{{index}}}", "m/mm")
         draft.lay_out()
         self.points: dict[Mark, Mark] = {}
         self.held: list[Held] = []

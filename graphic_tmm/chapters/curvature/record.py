@@ -14,7 +14,7 @@ from graphic_tmm.chapters.curvature.bobillier import (
     draw_path,
     known_paths,
 )
-from graphic_tmm.chapters.curvature.bresse import Ball, Bresse, draw_ball, draw_bresse
+from graphic_tmm.chapters.curvature.bresse import Bresse, draw_ball, draw_bresse
 from graphic_tmm.chapters.curvature.link_figure import LinkFigure
 from graphic_tmm.chapters.curvature.task import ASKED, BALL, BRESSE, CURVATURE, CurvatureTask
 from graphic_tmm.chapters.kinematics.bodies import Body
@@ -40,13 +40,13 @@ class Curvature:
     paths: tuple[Path, ...]
     centres: tuple[Mark, ...]
     bresse: Bresse | None
-    ball: Ball | None
+    ball: LinkFigure | None
 
     @property
     def figures(self) -> tuple[LinkFigure, ...]:
         """The views in which the link is drawn."""
-        more = (one.figure for one in (self.bresse, self.ball) if one is not None)
-        return (self.figure, *more)
+        circles = self.bresse.figure if self.bresse is not None else None
+        return tuple(one for one in (self.figure, circles, self.ball) if one is not None)
 
 
 CURVATURE_PLAN: Recorded[Curvature] = Recorded(CURVATURE)
@@ -69,7 +69,7 @@ def record(bench: Bench) -> Curvature | None:
     for view in (CURVATURE, BRESSE, BALL, ACCELERATIONS):
         bench.tell(view, places)
     number, quarters = body.link.number, plans.mechanism.drive.sense * bench.scene.turned
-    figure = LinkFigure(bench.draft, plans, body, CURVATURE, str(number))
+    figure = LinkFigure(bench.draft, plans, body, CURVATURE, f"l{number}")
     known = known_paths(figure)
     held_by = {*known.guides, *known.pivots}
     asked = order.points or tuple(k for k in body.link.points if k not in held_by)
@@ -90,12 +90,12 @@ def record(bench: Bench) -> Curvature | None:
     figure.coordinates(holding.pole, *(one.centre for one in own))
     bresse = ball = None
     if order.circles or order.ball:
-        circles = LinkFigure(bench.draft, plans, body, BRESSE, f"{number}W")
+        circles = LinkFigure(bench.draft, plans, body, BRESSE, "W")
         bresse = draw_bresse(circles, holding, figure.mu)
         if order.ball and any(one.pivot is None for one in holding.held):
             raise _fault(_NO_BALL, "ball")
         if order.ball:
-            ball = draw_ball(LinkFigure(bench.draft, plans, body, BALL, f"{number}U"), bresse)
+            ball = draw_ball(LinkFigure(bench.draft, plans, body, BALL, "U"), bresse)
     return Curvature(places, figure, holding, own, centres, bresse, ball)
 
 
@@ -105,14 +105,14 @@ def _body(plans: KinematicPlans, order: CurvatureTask) -> Body:
     own = [n for n in bodies if n != frame and {*order.points} <= bodies[n].link.points.keys()]
     moving = own if order.link is None else [n for n in (order.link,) if n in own]
     if not moving:
-        listed = ", ".join(order.points)
-        says = said(
-            _NO_LINK if order.link is None else _NO_POINTS, n=order.link or 0, listed=listed
-        )
+        text = _NO_LINK if order.link is None else _NO_POINTS
+        says = said(text, n=order.link or 0, listed=", ".join(order.points))
         raise _fault(says, "points" if order.points else "link")
     body, fixed = bodies[moving[0]], bodies[frame].marks
     if pivot := next((k for k in body.link.points if k in fixed), None):
         raise _fault(said(_PIVOTED, n=moving[0], letter=pivot), "link")
+    if plans.accelerations is None:
+        raise StructureError(_REST, "drive.speed", head=CURVATURE)
     if plans.velocities is None or moving[0] not in plans.velocities.rates:
         raise _fault(said(_LEVEL, n=moving[0]), "link")
     return body
@@ -122,6 +122,7 @@ _NO_LINK = said("no link has all of the points {listed}: ask for those of one li
 _NO_POINTS = said(
     "there is no moving link {n} with the points {listed}: write them in its [[link]]"
 )
+_REST = said("the mechanism stands still and has no plan of accelerations: write a speed, not 0")
 _PIVOTED = said(
     "link {n} turns about {letter}: that is the centre of curvature of all its paths; take another link"
 )

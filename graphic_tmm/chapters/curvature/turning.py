@@ -24,7 +24,7 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
     if (bresse := made.bresse) is not None:
         marks += [(one, bresse.figure.mu) for one in (bresse.rest, bresse.inflection.end)]
     if made.ball is not None:
-        marks.append((made.ball.point, made.ball.figure.mu))
+        marks.append((made.ball.results[0], made.ball.mu))
     for mark, mu in marks:
         yield TurnQuantity(CURVATURE, "centres", mark.letter, mark, mu, origin=origin)
     for one in made.paths:
@@ -33,8 +33,9 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
 
 def between(drawn: Drawn, turn: Turn) -> Between:
     """Return μ_l of the constructions, at all angles the finest of their positions."""
-    figures, row = CURVATURE_PLAN.on(drawn).figures, (1, turn.turned.size)
-    return {one.mu: np.full(row, np.min(np.asarray(drawn.given[one.mu]))) for one in figures}
+    rows = {one.mu: np.asarray(drawn.given[one.mu]) for one in CURVATURE_PLAN.on(drawn).figures}
+    alike = (1, turn.turned.size)
+    return {mu: np.full(alike, row.min()) for mu, row in rows.items() if row.size > 1}
 
 
 TURNING = Turning(told=quantities, between=between, plan=CURVATURE)

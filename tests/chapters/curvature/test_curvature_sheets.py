@@ -54,6 +54,13 @@ def test_what_cannot_be_found_is_refused_in_a_sentence(asked: dict[str, Any], sa
         make(graphic_tmm.read(slider(**asked)))
 
 
+def test_a_mechanism_at_rest_is_refused() -> None:
+    scene = slider(link=2)
+    scene["drive"]["speed"] = 0
+    with pytest.raises(TmmError, match="stands still and has no plan of accelerations"):
+        make(graphic_tmm.read(scene))
+
+
 def test_where_the_rod_only_moves_along_nothing_is_told_but_a_finding() -> None:
     sheet = graphic_tmm.draw(slider(link=2, positions="all"), exact=True)
     table, circles = sheet.table("curvature"), sheet.table("bresse")
@@ -102,3 +109,13 @@ def test_a_task_names_what_is_sought() -> None:
     assert "круги Бресса" in sentences
     assert "точку Болла" in sentences
     assert "звена 2" in " ".join(asks(graphic_tmm.read(slider(link=2)), "ru"))
+
+
+def test_a_value_is_its_segment_times_mu() -> None:
+    board = make(SCENE).boards[0]
+    for figure in CURVATURE_PLAN.on(board).figures:
+        mu = board.reading[figure.mu][0, 0]
+        for column in graphic_tmm.draw(SCENE).table(figure.view).values():
+            there = np.isfinite(column.mm[0])
+            np.testing.assert_allclose(column.value[0, there], column.mm[0, there] * mu, rtol=1e-11)
+            assert [*np.flatnonzero(np.isfinite(column.value[0]))] == [1]
