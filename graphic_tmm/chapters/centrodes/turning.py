@@ -58,5 +58,5 @@ def _rolled(ink: CentrodesInk, place: int) -> Drawing:
     return Drawing(ink.made.view, "", tuple(body(ink.rolled(place), "rolling", marks)))
 
 
-TURNING = Turning(told=quantities)
+TURNING = Turning(told=quantities, plan=CENTRODES)
 FIGURES = MovingFigures(moving)

@@ -278,7 +278,7 @@ def motion(
         plan = min(asked - of.plans)
         raise ConstructionError(
             said("motion: the scene asks for no {plan}: write [{plan}]", plan=plan)
-            if plan in _boards() or plan not in PLAN_OF.values()
+            if plan in _boards()
             else said(
                 "motion: the scene asks for no {plan}: write [forces] with what acts, [[load]], [effects]",
                 plan=plan,

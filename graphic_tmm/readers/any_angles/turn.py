@@ -82,10 +82,10 @@ def in_row(turned: Reals, way: float) -> Reals:
     return np.where(inside, turned, (off + 180.0) % 360.0 - 180.0 + way / 2.0)
 
 
-Plan = Literal["positions", "velocities", "accelerations", "forces", "centrodes"]
+Plan = Literal["positions", "velocities", "accelerations", "forces"]
 """The plans that `motion` takes, by the place of a sheet that shows them."""
-BoardPlan = Literal["cam", "arc_cam", "planetary", "gears"]
-"""Those of boards of their own, of which it takes one."""
+BoardPlan = Literal["cam", "arc_cam", "planetary", "gears", "centrodes"]
+"""Those of boards of their own, of which it takes one; and centrodes, which a mechanism's plans are beside."""
 Quantity = Literal[
     "places",
     "velocities",
