@@ -17,7 +17,8 @@ def _quantities(project: Project) -> Iterator[Quantity]:
     made = CENTRODES_PLAN.on(project)[0]
     marks = [mark for side in made.sides for mark in (side.x, side.y)]
     for name, mark in zip(NAMES, marks, strict=True):
-        yield Quantity(name, "m", (Value(mark, made.mu),), made.count)
+        value = Value(mark, made.mu)
+        yield Quantity(name, "m", (value,), made.count, due=(value,))
 
 
 ACCURACY = Accuracy(quantities=_quantities, places=(CENTRODES,), words=NAMES)

@@ -28,7 +28,7 @@ DOT = 0.7
 """Radius of the dot of a centre, mm."""
 PIVOT = 3.0
 """How far the symbols of pivots and pins reach, mm."""
-TANGENT = 22.0
+TANGENT = 40.0
 """Half the length of the common tangent, mm."""
 AWAY, NICK = 9.0, 2.5
 """Length of an arrow to a centre outside; half an arc of the compass about where it was cut, mm."""
