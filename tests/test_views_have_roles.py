@@ -27,6 +27,8 @@ ALLOWED = {
     "chapters/balance/words.py: view.rpartition(' ')",
     # and of a diagram by the letter of its cylinder
     "chapters/indicator/words.py: view.partition(' ')",
+    # and of centrodes by the link that rolls
+    "chapters/centrodes/words.py: view.partition(' ')",
     # machines call the scale factor of a base by the view that was calculated for
     "readers/table.py: step.it.view.removesuffix('-calculation')",
 }

@@ -99,7 +99,7 @@ def _judged(
             yield "hidden", key
 
 
-RIGID = ("parallel-cranks", "equal-rods-89.999")
+RIGID = ("parallel-cranks", "rolling-centrodes", "equal-rods-89.999")
 """Scenes whose links have no other lengths: they would not be mechanisms."""
 OWN = [name for name in gallery.NAMES if name not in RIGID]
 OTHERS = [name for name in strangers.FILES if name not in RIGID]

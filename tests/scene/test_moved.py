@@ -61,7 +61,7 @@ zero = "joints"
 """
 
 
-SPECIAL = ("parallel-cranks",)
+SPECIAL = ("parallel-cranks", "rolling-centrodes")
 """Lengths that have to be equal: with a joint moved it does not assemble."""
 
 

@@ -63,7 +63,11 @@ def _has_accelerations(folder: Path) -> bool:
 
 NAMES = [folder.name for folder in FOLDERS if _has_mechanism(folder)]
 ACCELERATED = [folder.name for folder in FOLDERS if _has_accelerations(folder)]
-PLANS = [(name, "velocities") for name in NAMES] + [(name, "accelerations") for name in ACCELERATED]
+NO_PLANS = ("rolling-centrodes",)
+"""Scenes with a mechanism whose sheets show no plan of velocities."""
+PLANS = [(name, "velocities") for name in NAMES if name not in NO_PLANS] + [
+    (name, "accelerations") for name in ACCELERATED
+]
 """Every plan of velocities and accelerations of the scenes."""
 
 

@@ -15,6 +15,7 @@ from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.centrodes import operations as o
 from graphic_tmm.chapters.centrodes.plan import Centrodes, Side
 from graphic_tmm.chapters.centrodes.scales import window_of
+from graphic_tmm.paper.clipping import points
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared
@@ -28,7 +29,9 @@ DOT = 0.7
 """Radius of the dot of a centre, mm."""
 PIVOT = 3.0
 """How far the symbols of pivots and pins reach, mm."""
-TANGENT = 22.0
+CHORDS = 3
+"""Chords of each arc of a centrode that rolls on the page."""
+TANGENT = 40.0
 """Half the length of the common tangent, mm."""
 AWAY, NICK = 9.0, 2.5
 """Length of an arrow to a centre outside; half an arc of the compass about where it was cut, mm."""
@@ -83,8 +86,8 @@ class CentrodesInk(Seen):
             return (spot - shift) / turn
 
         for part in self.branches(made.moving):
-            controls = tuple(there(own * z + far) for z in part)
-            yield Bezier(MOVING, controls, made.moving.curve.name)
+            spots = points(part, CHORDS * (len(part) // 3) + 1)
+            yield line(MOVING, *(there(own * complex(z) + far) for z in spots))
         pins, centre = [self.point(m, k) for m in made.moving.points], self.point(made.centre, k)
         yield line("main", *map(there, pins))
         for pin in pins:

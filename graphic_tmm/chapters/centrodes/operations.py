@@ -6,7 +6,7 @@ import numpy as np
 
 from graphic_tmm.board.formula import formula
 from graphic_tmm.board.geometry import degrees, unit
-from graphic_tmm.board.grammar import ANGLE, CURVE, SLIDE, SUPPORT, operation
+from graphic_tmm.board.grammar import ANGLE, CURVE, READ, SLIDE, SUPPORT, operation
 from graphic_tmm.board.operations.curve import natural, neighbours, periodic
 from graphic_tmm.board.values import (
     Angle,
@@ -162,7 +162,7 @@ def between_lines(first: Line, second: Line) -> Angle:
 
 
 @operation(
-    symbol="nC1 + nC2",
+    symbol=f"3C1 + {READ}",
     across=True,
     everywhere=True,
     reads=True,

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
+from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
 from graphic_tmm.chapters.centrodes.task import ASKED, CENTRODES
 from graphic_tmm.chapters.centrodes.window import Window, window
@@ -30,21 +31,20 @@ SIZES = Sizing(
 
 def window_of(made: Centrodes, reading: Reading) -> Window:
     """Return the window of a link's centrodes: in mm of the sheet, or in m where nothing is to scale."""
-    still = [*made.pivots, *(mark for side in made.sides for mark in side.stood)]
-    moved = [mark for side in made.sides for mark in side.points]
-    centres = [side.centre for side in made.sides]
     return window(
-        *([reading[mark][0] for mark in marks] for marks in ([*still, *moved], still, centres))
+        [reading[mark][0] for mark in _still(made)],
+        [reading[side.curve].knots[0] for side in made.sides],
     )
+
+
+def _still(made: Centrodes) -> list[Mark]:
+    return [*made.pivots, *(mark for side in made.sides for mark in side.stood)]
 
 
 def _reach(project: Project, doubts: Doubts) -> Mapping[str, float]:
     found = {}
     for made in CENTRODES_PLAN.on(project):
-        marks = [
-            *made.pivots,
-            *(m for side in made.sides for m in (*side.points, *side.stood, side.centre)),
-        ]
+        marks = [*_still(made), *(side.curve for side in made.sides)]
         found[made.view] = window_of(made, unscaled(project, doubts, marks)).reach
     return found
 

@@ -84,12 +84,11 @@ def _about(spots: Complexes) -> Window:
     return Window(complex(x.min(), y.min()), complex(x.max(), y.max()))
 
 
-def window(
-    mechanism: Iterable[Complexes], shown: Iterable[Complexes], centres: Iterable[Complexes]
-) -> Window:
-    """Return what is seen: what is ``shown``, and those ``centres`` that the ``mechanism`` is not far from."""
-    base, own = _about(_flat(mechanism)), _flat(shown)
-    near, far = base.grown(FAR * base.reach), _flat(centres)
+def window(mechanism: Iterable[Complexes], centres: Iterable[Complexes]) -> Window:
+    """Return what is seen: the ``mechanism`` as both centrodes touch, and ``centres`` that are not too far."""
+    own, far = _flat(mechanism), _flat(centres)
+    base = _about(own)
+    near = base.grown(FAR * base.reach)
     x = np.clip(far.real, near.low.real, near.high.real)
     y = np.clip(far.imag, near.low.imag, near.high.imag)
     whole = _about(np.concatenate([own, x + 1j * y]))

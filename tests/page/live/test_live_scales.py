@@ -29,7 +29,7 @@ from graphic_tmm.scene.records import Scene
 SHARES = (0.1, -0.3, 0.4)
 """So much longer or shorter links are than a scene has them, at most."""
 NEAR = 1e-9
-RIGID = ("parallel-cranks",)
+RIGID = ("parallel-cranks", "rolling-centrodes")
 """Scenes whose links have no other lengths: a link that doubles others would lock the mechanism."""
 
 PROGRAM = """
