@@ -126,7 +126,7 @@ def _drawn(draft: Draft) -> dict[Mark, Any]:
     log, views = draft.board.construction(), (POSITIONS, VELOCITIES)
     marks = [step.it for step in log.steps if step.it.view in views and not step.op.across]
     marks = [mark for mark in marks if mark.kind in (Point, Line, Number)]
-    marks += [mark for mark in log.given if mark.view in views and mark.kind is Point]
+    marks += [mark for mark in log.given if mark.view in views and mark.kind in (Point, Number)]
     return trial_values(draft, marks)
 
 

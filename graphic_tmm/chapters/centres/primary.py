@@ -61,6 +61,8 @@ class Scheme:
         for first, second, through, guide in self._guides():
             pair = self.network.pair(first, second)
             if pair not in self.network.centres:
+                if guide not in self.network.values:
+                    self.network.values |= trial_values(self.draft, [guide])
                 name = f"({through.name}P_{{{pair[0]}{pair[1]}}})"
                 line = self.network.draw(square, name, through, guide, why=why.AT_INFINITY)
                 self.network.enter(Centre(pair, line, True, GUIDE))
@@ -94,11 +96,8 @@ class Scheme:
         """Draw a guide that no plan has drawn yet."""
         body = self.plans.positions.bodies[slide.on]
         through = self.point(self._any(slide))
-        line = incline_by(
-            self.draft, slide.guide.name, through, body.axis, slide.guide.angle - body.angle
-        )
-        self.network.values |= trial_values(self.draft, [body.axis, line])
-        return line
+        bend = slide.guide.angle - body.angle
+        return incline_by(self.draft, slide.guide.name, through, body.axis, bend)
 
 
 def trial_values(draft: Draft, marks: Sequence[Mark]) -> dict[Mark, Any]:
