@@ -15,8 +15,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Line, Number, Point
 from graphic_tmm.chapters.centres import formulas as f
 from graphic_tmm.chapters.centres import words as why
-from graphic_tmm.chapters.centres.network import Centre, Network, Pair
-from graphic_tmm.chapters.centres.primary import Scheme, trial_values
+from graphic_tmm.chapters.centres.network import Centre, Network, Pair, Scheme, trial_values
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
@@ -113,11 +112,11 @@ def record(bench: Bench) -> Centres | None:
     network.close()
     _by_velocities(network, scheme, plans, turned=bench.scene.turned)
     finder = _Finder(draft, plans, network, scheme)
-    rotations = tuple(finder.rotations())
+    rotations = finder.rotations()
     speeds = tuple(finder.speeds(rotations))
     return Centres(
         order, mu, places, tuple(numbers), frame, scheme.points, tuple(network.centres.values()),
-        tuple(network.missing), finder.driver, rotations, speeds,
+        tuple(network.missing), finder.driver, tuple(rotations), speeds,
     )  # fmt: skip
 
 
@@ -166,14 +165,25 @@ class _Finder:
         """What is given of the drive."""
         return self.velocities.speeds[self.pair.link]
 
-    def rotations(self) -> Iterator[Rotation]:
-        """Yield how each link turns that is not driven."""
+    def rotations(self) -> list[Rotation]:
+        """Return how each link turns that is no driven crank."""
+        found = list[Rotation]()
         cranks = [pair.link for pair in self.plans.pairs if isinstance(pair, Crank)]
         for link in self.network.links[:-1]:
             own = self.network.of(link, self.frame)
             if own is not None and link not in cranks:
-                found = self._rotation(link, own)
-                yield replace(found, plan=self.velocities.rates.get(link))
+                rate = self.velocities.rates.get(link)
+                found.append(replace(self._rotation(link, own), plan=rate))
+        for k, one in enumerate(found):
+            if one.omega is None and not one.still:
+                same = next((other for other in found if self._alike(one.link, other.link)), one)
+                found[k] = replace(same, link=one.link, plan=one.plan)
+        return found
+
+    def _alike(self, first: int, second: int) -> bool:
+        """Whether two links slide on each other, so that they turn alike."""
+        common = self.network.of(first, second)
+        return common is not None and common.far
 
     def _rotation(self, link: int, own: Centre) -> Rotation:
         if own.far:
@@ -231,21 +241,15 @@ class _Finder:
 
     def _readings(self, link: int) -> dict[Mark, Mark]:
         """Return by the points of a link in the scheme the lengths that the plan of velocities has for them."""
-        images = self.scheme.images(link)
-        found = {point: self._reading(image) for point, image in images.items()}
-        return {point: length for point, length in found.items() if length is not None}
+        pole, board, found = self.velocities.images.pole, self.draft.board, dict[Mark, Mark]()
+        for point, image in self.scheme.images(link).items():
+            if (read := board.length(pole, image)) is not None:
+                found[point] = read
+            elif image != pole and board.step(image).op is lay_off:
+                found[point] = board.uses(image)[1]
+        return found
 
-    def _reading(self, image: Mark) -> Mark | None:
-        """Return the length from the pole to an image, as it was read or laid off."""
-        pole = self.velocities.images.pole
-        if image == pole:
-            return None
-        read = self.draft.board.length(pole, image)
-        if read is None and self.draft.board.step(image).op is lay_off:
-            return self.draft.uses(image)[1]
-        return read
-
-    def speeds(self, rotations: tuple[Rotation, ...]) -> Iterator[PointSpeed]:
+    def speeds(self, rotations: list[Rotation]) -> Iterator[PointSpeed]:
         """Yield the velocities of the named points, each by the nearest centre of a link that it is of."""
         bodies, there = self.plans.positions.bodies, {*self.plans.mechanism.frame.points}
         if isinstance(self.pair, Crank) and self.driver:

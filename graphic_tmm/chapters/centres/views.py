@@ -109,13 +109,14 @@ def lines_of(made: Centres, one: Centre, language: str) -> str:
 def rates(drawn: Drawn, made: Centres, place: int) -> Drawing:
     """Return the table of ω and v in a position, by the centres and by the plan of velocities."""
     words = captions(drawn.scene.language)
+    mm = unit("mm", drawn.scene.language)
     rows = [row for one in made.rotations for row in _turning(drawn, made, one, place)]
     rows += [_moving(drawn, one, place) for one in made.speeds]
     title = f"{words['centres rates']}, {words['position']} {escape(drawn.names[place])}"
     high = heights(drawn.scene, CENTRES)
     return ruled_table(
         f"table-centres-{drawn.names[place]}", title,
-        [words["value"], "mm", words["by centres"], words["by plan"], words["unit"]], rows,
+        [words["value"], mm, words["by centres"], words["by plan"], words["unit"]], rows,
         size=high.number, title_size=high.title, align=["left", *["centre"] * 3, "left"],
     )  # fmt: skip
 
