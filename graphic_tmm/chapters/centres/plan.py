@@ -258,18 +258,19 @@ class _Finder:
         for one, letter in sorted(every, key=lambda k: self._distance(*k)):
             if letter in {*there, one.by_point}:
                 continue
-            own, point = self.network.of(one.link, self.frame), self._point(one, letter)
+            own = self.network.of(one.link, self.frame)
+            point = self.scheme.point(bodies[one.link].marks[letter])
             if own is not None and (found := self._speed(one, own, point, letter)) is not None:
                 there.add(letter)
                 yield PointSpeed(letter, one.link, *found, self._readings(one.link).get(point))
 
-    def _point(self, one: Rotation, letter: str) -> Mark:
-        return self.scheme.point(self.plans.positions.bodies[one.link].marks[letter])
-
     def _distance(self, one: Rotation, letter: str) -> float:
         """Return how far a point is from the centre of its link, in the middle of the positions."""
-        own = self.network.finite(one.link, self.frame)
-        return self._apart(own, self._point(one, letter)) if own is not None else 0.0
+        own, marks = (
+            self.network.finite(one.link, self.frame),
+            self.plans.positions.bodies[one.link].marks,
+        )
+        return self._apart(own, self.scheme.point(marks[letter])) if own is not None else 0.0
 
     def _apart(self, first: Mark, second: Mark) -> float:
         values = self.network.values

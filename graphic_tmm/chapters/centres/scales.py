@@ -9,14 +9,13 @@ import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.fitting.choice import usual_room
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.traced import value_at
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -71,12 +70,8 @@ def room(links: Sequence[complex], centres: Sequence[complex]) -> Room | None:
 
 def spots(made: Centres, reading: Reading, place: int) -> tuple[list[complex], list[complex]]:
     """Return the points of the mechanism in a position, and the centres that are not at infinity."""
-
-    def at(mark: Mark) -> complex:
-        value: Complexes = reading[mark][0]
-        return complex(value[place if value.size > 1 else 0])
-
-    return [*map(at, made.points.values())], [at(one.mark) for one in made.centres if not one.far]
+    links = [value_at(reading[mark], place) for mark in made.points.values()]
+    return links, [value_at(reading[one.mark], place) for one in made.centres if not one.far]
 
 
 def _fixed(scene: Scene) -> str:

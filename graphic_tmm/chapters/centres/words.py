@@ -23,7 +23,6 @@ SYMBOLS = (
 )
 WORDS = Named(captions=CAPTIONS, plans=(CENTRES,), sources=("artobolevsky",), symbols=SYMBOLS)
 
-PIN = said("Links in a pin have one velocity there: it is the centre of each two of them.")
 AT_INFINITY = said(
     "Of two links that slide on each other the centre lies at infinity, square to the guide."
 )
