@@ -215,19 +215,21 @@ class Network:
             if image != pole:
                 with np.errstate(all="ignore"):
                     off = self.values[image] - self.values[pole]
-                    ways[k] = Line(self.values[k], off / np.abs(off))
-        found = [
-            (one[0], pair)
-            for pair in combinations(ways, 2)
-            if (one := self._crossing(*map(ways.get, pair)))
-        ]
-        (_, pair), lines = max(found, default=(0.0, None), key=lambda one: one[0]), list[Mark]()
+                    ways[k] = Line(self.values[k], (1.0 if turned else 1j) * off / np.abs(off))
+        tried = ((self._crossing(*map(ways.get, pair)), pair) for pair in combinations(ways, 2))
+        found = [(*crossing, pair) for crossing, pair in tried if crossing is not None]
+        (_, far, pair), lines = (
+            max(found, default=(0.0, False, None), key=lambda k: k[0]),
+            list[Mark](),
+        )
         if pair is not None:
             for k in pair:
                 ray = self.draw(join, f"(p{points[k].name})", pole, points[k], why=why.VELOCITY)
                 op = parallel if turned else square
                 lines.append(self.draw(op, f"(⊥v_{k.name})", k, ray, why=why.NORMAL))
-            mark = self.draw(meet, letter, *lines, free=True, why=why.TWO_NORMALS)
+            mark = lines[0]
+            if not far:
+                mark = self.draw(meet, letter, *lines, free=True, why=why.TWO_NORMALS)
         else:
             pair = next((p for p in combinations(points, 2) if points[p[0]] != points[p[1]]), None)
             if pair is None:
@@ -235,7 +237,7 @@ class Network:
             uses = (*pair, *(points[k] for k in pair), pole)
             mark = self.draw(similar, letter, *uses, free=True, why=why.IMAGE)
         way = NORMALS if lines else IMAGE
-        self.enter(Centre(self.pair(link, self.frame), mark, False, way, (), tuple(lines)))
+        self.enter(Centre(self.pair(link, self.frame), mark, far, way, (), tuple(lines)))
         return True
 
     def by_rates(self, plan: Motion) -> None:
@@ -298,7 +300,7 @@ class Scheme:
             if pair not in self.network.centres:
                 if guide not in self.network.values:
                     self.network.values |= trial_values(self.draft, [guide])
-                name = f"({through.name}P_{{{pair[0]}{pair[1]}}})"
+                name = f"({through.name}{letter_of(pair)})"
                 line = self.network.draw(square, name, through, guide, why=why.AT_INFINITY)
                 self.network.enter(Centre(pair, line, True, GUIDE))
 
