@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -36,11 +36,9 @@ EDGE, BEYOND, LEAST = 16.0, 4.0, 14.0
 """How far lines to far centres go on beyond all else; others beyond their centres; the shortest arrow, mm."""
 
 
-class Stretch(NamedTuple):
-    """What is drawn of a line: its ends, mm; by its end the far centres to which an arrow there leads."""
-
-    ends: tuple[complex, complex]
-    leads: tuple[tuple[complex, complex, tuple[Centre, ...]], ...]
+Ends = tuple[complex, complex]
+Stretch = tuple[Ends, Sequence[tuple[complex, complex, tuple[Centre, ...]]]]
+"""What is drawn of a line: its ends, mm; tips of arrows there, their ways, the far centres they lead to."""
 
 
 class _Scheme:
@@ -120,7 +118,7 @@ class _Scheme:
                 tip = reach + sign * LEAST
             first, last = min(first, tip), max(last, tip)
             leads.append((at + tip * way, sign * way, centres))
-        return Stretch((at + first * way, at + last * way), tuple(leads))
+        return (at + first * way, at + last * way), leads
 
     def letters(self) -> list[Wanted]:
         """The letters of points and of centres; what stands in one place shares a label."""
@@ -145,7 +143,7 @@ class _Scheme:
 
     def arrows(self, of: Mark, stretch: Stretch) -> Iterator[tuple[list[Ink], Wanted]]:
         """The arrows at the ends of a line, with the centres to which they lead."""
-        for tip, way, centres in stretch.leads:
+        for tip, way, centres in stretch[1]:
             names = ", ".join(f"{one.name}{'∞' if one.far else ''}" for one in centres)
             slots = tuple(dict.fromkeys((of.slot, *(one.mark.slot for one in centres))))
             head = arrow(tip - 8.0 * way, tip, "thin")
@@ -159,7 +157,7 @@ def draw_scheme(
     """Return the scheme of centres in one position; ``times``: how much larger than the plan of positions."""
     ink = _Scheme(on, made, reaches, place, times)
     lines = ink.lines()
-    rules: dict[Mark, Rule] = {k: leaving(line("thin", *one.ends)) for k, one in lines.items()}
+    rules: dict[Mark, Rule] = {k: leaving(line("thin", *one[0])) for k, one in lines.items()}
     rules |= dict(ink.circles())
     traces = figure(ink.seen, showing(rules), helping=False)
     strokes = [*traces.staying, *ink.mechanism()]

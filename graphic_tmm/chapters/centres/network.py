@@ -65,6 +65,11 @@ class Centre:
         return letter_of(self.links)
 
 
+def segment(start: str, end: str) -> str:
+    """Return the letter of what lies between two points: AB; A–P_{20} where one has an index."""
+    return f"{start}{'–' if '_' in start + end else ''}{end}"
+
+
 def letter_of(links: Pair) -> str:
     """Return the letter of a centre: P_{20}; P_{10,2} where a link has two figures."""
     return f"P_{{{('' if max(links) < 10 else ',').join(map(str, links))}}}"
@@ -195,7 +200,7 @@ class Network:
         key = frozenset((first.mark, second.mark))
         if key not in self._lines:
             end = second.name if second.far else second.mark.name
-            name = f"({first.mark.name}{end})"
+            name = f"({segment(first.mark.name, end)})"
             if not second.far:
                 because = why.KENNEDY_LINE
                 line = self.draw(join, name, first.mark, second.mark, why=because)
@@ -248,10 +253,10 @@ class Network:
             there = [mark for mark in ends if mark is not None]
             if len(there) < 2 or len(rates) < 2 or there[0] == there[1]:
                 continue
-            called, name = "".join(mark.name for mark in there), letter_of(links)
+            called, name = segment(*(mark.name for mark in there)), letter_of(links)
             line = self.draw(join, f"({called})", *there, why=why.DIVIDED)
             whole = self.draw(measure_along, called, *there, line)
-            part = self.draw(f.divided, f"{there[0].name}{name}", whole, *rates)
+            part = self.draw(f.divided, segment(there[0].name, name), whole, *rates)
             mark = self.draw(lay_off, name, line, part, free=True, why=why.DIVIDED)
             self.enter(Centre(links, mark, False, RATES, (), (line,)))
 
@@ -300,7 +305,7 @@ class Scheme:
             if pair not in self.network.centres:
                 if guide not in self.network.values:
                     self.network.values |= trial_values(self.draft, [guide])
-                name = f"({through.name}{letter_of(pair)})"
+                name = f"({segment(through.name, letter_of(pair))})"
                 line = self.network.draw(square, name, through, guide, why=why.AT_INFINITY)
                 self.network.enter(Centre(pair, line, True, GUIDE))
 

@@ -15,7 +15,14 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Line, Number, Point
 from graphic_tmm.chapters.centres import formulas as f
 from graphic_tmm.chapters.centres import words as why
-from graphic_tmm.chapters.centres.network import Centre, Network, Pair, Scheme, trial_values
+from graphic_tmm.chapters.centres.network import (
+    Centre,
+    Network,
+    Pair,
+    Scheme,
+    segment,
+    trial_values,
+)
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
@@ -200,14 +207,14 @@ class _Finder:
         if base.far:
             assert isinstance(self.pair, Slider)
             guide = self.pair.path(self.plans.positions, self.draft.uses)
-            line = draw(square, f"({own.mark.name}{common.mark.name})", own.mark, guide, sense=-1)
-            way = f"{own.mark.name}{common.mark.name}"
+            way = segment(own.mark.name, common.mark.name)
+            line = draw(square, f"({way})", own.mark, guide, sense=-1)
             long = draw(measure_along, way, own.mark, common.mark, line, why=why.TO_COMMON)
             omega = draw(f.rate_by_slider, f"ω_{link}", self.speed, long, unit="1/s")
             return Rotation(link, omega=omega, ends=(long,))
         known = self._of_three(own, self.driver) or self._of_three(common, self.frame)
         line = known or self.network.line(base, own)
-        names = [f"{common.mark.name}{k.mark.name}" for k in (base, own)]
+        names = [segment(common.mark.name, k.mark.name) for k in (base, own)]
         ends = tuple(
             draw(measure_along, name, common.mark, k.mark, line, why=why.TO_COMMON)
             for name, k in zip(names, (base, own), strict=True)
@@ -234,7 +241,7 @@ class _Finder:
         if not there:
             return Rotation(link)
         point = max(there, key=lambda k: self._apart(own.mark, k))
-        name = f"{own.mark.name}{point.name}"
+        name = segment(own.mark.name, point.name)
         distance = self.network.draw(measure, name, own.mark, point, why=why.RADIUS)
         omega = self.network.draw(f.rate_by_point, f"ω_{link}", there[point], distance, unit="1/s")
         return Rotation(link, omega=omega, ends=(distance,), by_point=point.name)
@@ -292,7 +299,7 @@ class _Finder:
         if omega is None or center == point:
             return None
         known = self.draft.board.length(center, point)
-        name = f"{center.name}{point.name}"
+        name = segment(center.name, point.name)
         distance = known or self.network.draw(measure, name, center, point, why=why.RADIUS)
         value = self.network.draw(f.speed_about, f"v_{letter}", omega, distance, unit="m/s")
         return value, distance

@@ -14,6 +14,7 @@ from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.centres.words import WAYS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
@@ -102,10 +103,12 @@ def rates(drawn: Drawn, made: Centres, place: int) -> Drawing:
     rows = [row for one in made.rotations for row in _turning(drawn, made, one, place)]
     rows += [_moving(drawn, one, place) for one in made.speeds]
     title = f"{words['centres rates']}, {words['position']} {escape(drawn.names[place])}"
+    heads = [words["value"], f"{words['distances']}, {mm}"]
+    heads += [words[head] for head in ("by centres", "by plan", "unit")]
     high = heights(drawn.scene, CENTRES)
     return ruled_table(
         f"table-centres-{drawn.names[place]}", title,
-        [words["value"], mm, words["by centres"], words["by plan"], words["unit"]], rows,
+        heads, rows,
         size=high.number, title_size=high.title, align=["left", *["centre"] * 3, "left"],
     )  # fmt: skip
 
@@ -130,9 +133,7 @@ def _turning(drawn: Drawn, made: Centres, one: Rotation, place: int) -> list[lis
 
 
 def _moving(drawn: Drawn, one: PointSpeed, place: int) -> list[str]:
-    velocities = KINEMATICS_PLAN.on(drawn).velocities
-    assert velocities is not None
-    plan = abs(_figure(drawn, one.plan, place)) * drawn.value(velocities.mu)
+    plan = abs(_figure(drawn, one.plan, place)) * drawn.scales[VELOCITIES].value
     found = [_cell(v, 4, drawn) for v in (_figure(drawn, one.value, place), plan)]
     length = _cell(abs(_figure(drawn, one.distance, place)), 1, drawn)
     return [f"v_{{{escape(one.letter)}}}", length, *found, unit("m/s", drawn.scene.language)]

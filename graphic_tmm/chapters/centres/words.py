@@ -14,6 +14,7 @@ CAPTIONS: dict[str, str] = {
     "centres rates": said("Velocities by the centres"),
     "centre": said("centre"),
     "centre of lines": said("lines"),
+    "distances": said("distances"),
     "by centres": said("by centres"),
     "by plan": said("by plan"),
 }
