@@ -65,11 +65,6 @@ class Centre:
         return letter_of(self.links)
 
 
-def segment(start: str, end: str) -> str:
-    """Return the letter of what lies between two points: AB; A–P_{20} where one has an index."""
-    return f"{start}{'–' if '_' in start + end else ''}{end}"
-
-
 def letter_of(links: Pair) -> str:
     """Return the letter of a centre: P_{20}; P_{10,2} where a link has two figures."""
     return f"P_{{{('' if max(links) < 10 else ',').join(map(str, links))}}}"
@@ -200,7 +195,7 @@ class Network:
         key = frozenset((first.mark, second.mark))
         if key not in self._lines:
             end = second.name if second.far else second.mark.name
-            name = f"({segment(first.mark.name, end)})"
+            name = f"({first.mark.name}{end})"
             if not second.far:
                 because = why.KENNEDY_LINE
                 line = self.draw(join, name, first.mark, second.mark, why=because)
@@ -223,10 +218,8 @@ class Network:
                     ways[k] = Line(self.values[k], (1.0 if turned else 1j) * off / np.abs(off))
         tried = ((self._crossing(*map(ways.get, pair)), pair) for pair in combinations(ways, 2))
         found = [(*crossing, pair) for crossing, pair in tried if crossing is not None]
-        (_, far, pair), lines = (
-            max(found, default=(0.0, False, None), key=lambda k: k[0]),
-            list[Mark](),
-        )
+        lines = list[Mark]()
+        _, far, pair = max(found, default=(0.0, False, None), key=lambda k: k[0])
         if pair is not None:
             for k in pair:
                 ray = self.draw(join, f"(p{points[k].name})", pole, points[k], why=why.VELOCITY)
@@ -253,10 +246,10 @@ class Network:
             there = [mark for mark in ends if mark is not None]
             if len(there) < 2 or len(rates) < 2 or there[0] == there[1]:
                 continue
-            called, name = segment(*(mark.name for mark in there)), letter_of(links)
+            called, name = "".join(mark.name for mark in there), letter_of(links)
             line = self.draw(join, f"({called})", *there, why=why.DIVIDED)
             whole = self.draw(measure_along, called, *there, line)
-            part = self.draw(f.divided, segment(there[0].name, name), whole, *rates)
+            part = self.draw(f.divided, f"{there[0].name}{name}", whole, *rates)
             mark = self.draw(lay_off, name, line, part, free=True, why=why.DIVIDED)
             self.enter(Centre(links, mark, False, RATES, (), (line,)))
 
@@ -267,6 +260,8 @@ class Scheme:
     def __init__(self, draft: Draft, plans: KinematicPlans, network: Network, mu: Mark) -> None:
         self.draft, self.plans, self.network, self.mu = draft, plans, network, mu
         self.points: dict[Mark, Mark] = {}
+        assert plans.velocities is not None
+        self.velocities: Motion = plans.velocities
 
     def point(self, of: Mark) -> Mark:
         """Return a point of the plan of positions in the scheme."""
@@ -277,9 +272,7 @@ class Scheme:
 
     def images(self, link: int) -> Mapping[Mark, Mark]:
         """Return the points of a link in the scheme, with their images on the plan of velocities."""
-        velocities, body = self.plans.velocities, self.plans.positions.bodies[link]
-        assert velocities is not None
-        images = velocities.images.by_letter[link]
+        body, images = self.plans.positions.bodies[link], self.velocities.images.by_letter[link]
         return {
             self.point(mark): images[letter]
             for letter, mark in body.marks.items()
@@ -305,7 +298,7 @@ class Scheme:
             if pair not in self.network.centres:
                 if guide not in self.network.values:
                     self.network.values |= trial_values(self.draft, [guide])
-                name = f"({segment(through.name, letter_of(pair))})"
+                name = f"({through.name}{letter_of(pair)})"
                 line = self.network.draw(square, name, through, guide, why=why.AT_INFINITY)
                 self.network.enter(Centre(pair, line, True, GUIDE))
 

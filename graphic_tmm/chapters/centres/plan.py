@@ -20,14 +20,12 @@ from graphic_tmm.chapters.centres.network import (
     Network,
     Pair,
     Scheme,
-    segment,
     trial_values,
 )
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
-from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.chapters.kinematics.task import POSITIONS, VELOCITIES
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
@@ -117,8 +115,8 @@ def record(bench: Bench) -> Centres | None:
             scheme.point(body.marks[letter])
     scheme.primary()
     network.close()
-    _by_velocities(network, scheme, plans, turned=bench.scene.turned)
-    finder = _Finder(draft, plans, network, scheme)
+    _by_velocities(scheme, turned=bench.scene.turned)
+    finder = _Finder(scheme)
     rotations = finder.rotations()
     speeds = tuple(finder.speeds(rotations))
     return Centres(
@@ -136,36 +134,29 @@ def _drawn(draft: Draft) -> dict[Mark, Any]:
     return trial_values(draft, marks)
 
 
-def _by_velocities(
-    network: Network, scheme: Scheme, plans: KinematicPlans, *, turned: bool
-) -> None:
+def _by_velocities(scheme: Scheme, *, turned: bool) -> None:
     """Find centres that no two lines tell: P_i0 by velocities, then whatever follows of them."""
-    velocities = plans.velocities
-    assert velocities is not None
+    network, images = scheme.network, scheme.velocities.images
     for link in network.links[:-1]:
-        if network.of(link, network.frame) is None and velocities.images.turns(link):
-            images = scheme.images(link)
-            if network.by_normals(link, images, velocities.images.pole, turned=turned):
-                network.close()
+        lacks = network.of(link, network.frame) is None and images.turns(link)
+        if lacks and network.by_normals(link, scheme.images(link), images.pole, turned=turned):
+            network.close()
     if network.missing:
-        network.by_rates(velocities)
+        network.by_rates(scheme.velocities)
         network.close()
 
 
 class _Finder:
     """What is found by the centres."""
 
-    def __init__(
-        self, draft: Draft, plans: KinematicPlans, network: Network, scheme: Scheme
-    ) -> None:
-        velocities = plans.velocities
-        assert velocities is not None
-        self.draft, self.plans, self.network, self.scheme = draft, plans, network, scheme
-        self.velocities: Motion = velocities
+    def __init__(self, scheme: Scheme) -> None:
+        plans = self.plans = scheme.plans
+        self.draft, self.network, self.scheme = scheme.draft, scheme.network, scheme
+        self.velocities = scheme.velocities
         self.pair = plans.pairs[0]
         alone = len(plans.pairs) == 1 and isinstance(self.pair, Crank | Slider)
         self.driver = self.pair.link if alone else 0
-        self.frame = network.frame
+        self.frame = self.network.frame
 
     @property
     def speed(self) -> Mark:
@@ -207,14 +198,14 @@ class _Finder:
         if base.far:
             assert isinstance(self.pair, Slider)
             guide = self.pair.path(self.plans.positions, self.draft.uses)
-            way = segment(own.mark.name, common.mark.name)
+            way = f"{own.mark.name}{common.mark.name}"
             line = draw(square, f"({way})", own.mark, guide, sense=-1)
             long = draw(measure_along, way, own.mark, common.mark, line, why=why.TO_COMMON)
             omega = draw(f.rate_by_slider, f"ω_{link}", self.speed, long, unit="1/s")
             return Rotation(link, omega=omega, ends=(long,))
         known = self._of_three(own, self.driver) or self._of_three(common, self.frame)
         line = known or self.network.line(base, own)
-        names = [segment(common.mark.name, k.mark.name) for k in (base, own)]
+        names = [f"{common.mark.name}{k.mark.name}" for k in (base, own)]
         ends = tuple(
             draw(measure_along, name, common.mark, k.mark, line, why=why.TO_COMMON)
             for name, k in zip(names, (base, own), strict=True)
@@ -241,7 +232,7 @@ class _Finder:
         if not there:
             return Rotation(link)
         point = max(there, key=lambda k: self._apart(own.mark, k))
-        name = segment(own.mark.name, point.name)
+        name = f"{own.mark.name}{point.name}"
         distance = self.network.draw(measure, name, own.mark, point, why=why.RADIUS)
         omega = self.network.draw(f.rate_by_point, f"ω_{link}", there[point], distance, unit="1/s")
         return Rotation(link, omega=omega, ends=(distance,), by_point=point.name)
@@ -273,10 +264,8 @@ class _Finder:
 
     def _distance(self, one: Rotation, letter: str) -> float:
         """Return how far a point is from the centre of its link, in the middle of the positions."""
-        own, marks = (
-            self.network.finite(one.link, self.frame),
-            self.plans.positions.bodies[one.link].marks,
-        )
+        marks = self.plans.positions.bodies[one.link].marks
+        own = self.network.finite(one.link, self.frame)
         return self._apart(own, self.scheme.point(marks[letter])) if own is not None else 0.0
 
     def _apart(self, first: Mark, second: Mark) -> float:
@@ -299,7 +288,7 @@ class _Finder:
         if omega is None or center == point:
             return None
         known = self.draft.board.length(center, point)
-        name = segment(center.name, point.name)
+        name = f"{center.name}{point.name}"
         distance = known or self.network.draw(measure, name, center, point, why=why.RADIUS)
         value = self.network.draw(f.speed_about, f"v_{letter}", omega, distance, unit="m/s")
         return value, distance

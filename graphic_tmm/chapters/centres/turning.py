@@ -22,8 +22,4 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
             yield TurnQuantity("centres", "centres", key, one.mark, made.mu, origin=origin)
 
 
-TURNING = Turning(
-    told=quantities,
-    # whether the scene asks for them or not
-    free=lambda scene: ASKED.put(scene, CentresTask(ALL)),
-)
+TURNING = Turning(told=quantities, free=lambda scene: ASKED.put(scene, CentresTask(ALL)))

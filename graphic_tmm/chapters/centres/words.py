@@ -24,9 +24,7 @@ SYMBOLS = (
 )
 WORDS = Named(captions=CAPTIONS, plans=(CENTRES,), sources=("artobolevsky",), symbols=SYMBOLS)
 
-AT_INFINITY = said(
-    "Of two links that slide on each other the centre lies at infinity, square to the guide."
-)
+AT_INFINITY = said("The centre of links that slide lies at infinity, square to their guide.")
 KENNEDY_LINE = said("The centres of three links lie on one straight line (Aronhold and Kennedy).")
 TO_INFINITY = said("A line to a centre at infinity is drawn parallel to the direction of that.")
 TWO_LINES = said(
