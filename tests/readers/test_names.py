@@ -53,7 +53,7 @@ LATIN = re.compile(
     r"[0-9*]+′?|[A-Z][A-Z0-9′]*|[A-Z]?max|[A-Z]?min[0-9]?|"  # numbers, points, max and min
     r"[0-9][A-Za-zϑ]′?|[0-9]min|I+′?|S[0-9]?|"
     r"[GRFNPQTKMHSVJLA][0-9]*′?|ϑ|"  # the force or the graph that an ordinate or an arm belongs to
-    r"[0-9]x|[a-e]|l[0-9]+|cd|M[cd]|h|"  # lengths of a group, an arc, mean moments, of heat
+    r"[0-9]x|[a-e]|l[0-9]+|lP|[0-9]{2}[A-Z]|cd|M[cd]|h|"  # lengths of a group, an arc, mean moments, of heat
     r"[wabflpFs][0-9]?|[xyntlvakdeoirgm][0-9]?|k0|v0|SE|S2B"  # circles of wheels, axes, the n-th, t, l, v, a
     r")$"
 )

@@ -20,9 +20,7 @@ def rates_by_centres(to_driver: Length, to_link: Length) -> Number:
     """{to_driver}/{to_link}"""
 
 
-@formula(
-    why=said("The driving link turns counter-clockwise, and the sign of the ratio is the sense.")
-)
+@formula(why=said("The driving link turns counter-clockwise: the sign is the sense."))
 def rate_by_ratio(ratio: Number, omega: Number) -> Number:
     """{ratio}·{omega}"""
 
@@ -34,9 +32,7 @@ def rate_by_ratio_clockwise(ratio: Number, omega: Number) -> Number:
 
 @formula(
     fails=_TOGETHER,
-    why=said(
-        "In the common centre the link goes as the slider does, and turns about its own centre."
-    ),
+    why=said("In the common centre the link goes as the slider does."),
 )
 def rate_by_slider(speed: Number, distance: Length, mu: Number) -> Number:
     """{speed}/({distance}·{mu})"""

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -35,18 +36,9 @@ EDGE, BEYOND, LEAST = 16.0, 4.0, 14.0
 """How far lines to far centres go on beyond all else; others beyond their centres; the shortest arrow, mm."""
 
 
-class Stretch(NamedTuple):
-    """What is drawn of a line: its ends, mm; by its end the far centres to which an arrow there leads."""
-
-    ends: tuple[complex, complex]
-    leads: tuple[tuple[complex, complex, tuple[Centre, ...]], ...]
-
-
-def larger(value: Any, times: float) -> Any:
-    """Return a point, a line or a length in another scale."""
-    if isinstance(value, Line):
-        return value._replace(at=value.at * times)
-    return value * times if np.iscomplexobj(value) else value
+Ends = tuple[complex, complex]
+Stretch = tuple[Ends, Sequence[tuple[complex, complex, tuple[Centre, ...]]]]
+"""What is drawn of a line: its ends, mm; tips of arrows there, their ways, the far centres they lead to."""
 
 
 class _Scheme:
@@ -59,7 +51,12 @@ class _Scheme:
         self.seen = on.seen((CENTRES,), [place])
         figures = [one for one in on.construction.figures if one.view == POSITIONS]
         marks = dict.fromkeys(mark for one in figures for mark in one.marks)
-        values = {mark.slot: larger(on.reading[mark], times) for mark in marks}
+        values: dict[int, Any] = {mark.slot: on.reading[mark] for mark in marks}
+        for mark in marks:
+            if mark.kind is Line:
+                values[mark.slot] = on.reading[mark]._replace(at=on.reading[mark].at * times)
+            elif mark.kind is Point:
+                values[mark.slot] = on.reading[mark] * times
         whole = {one: reach.times(times) for one, reach in reaches.items()}
         self.links = PositionsInk(
             on.construction, Reading(values, on.reading.positions), whole, [place]
@@ -121,53 +118,46 @@ class _Scheme:
                 tip = reach + sign * LEAST
             first, last = min(first, tip), max(last, tip)
             leads.append((at + tip * way, sign * way, centres))
-        return Stretch((at + first * way, at + last * way), tuple(leads))
+        return (at + first * way, at + last * way), leads
 
     def letters(self) -> list[Wanted]:
         """The letters of points and of centres; what stands in one place shares a label."""
-        inside, named = self.room.grown(-EDGE / 2), list[Named]()
-        for of, mark in self.made.points.items():
-            named.append(self._named(mark, markup(of.name)))
-        for one in self.made.centres:
-            if not one.far and inside.holds(self.seen.point(one.mark, self.place)):
-                named.append(self._named(one.mark, one.name))
+        told = [(mark, markup(of.name)) for of, mark in self.made.points.items()]
+        told += [(one.mark, one.name) for one in self.near]
+        at, k = self.seen.point, self.place
+        named = (Named(at(mark, k), text, (mark.slot,), k) for mark, text in told)
         return lettered(shared(named), self.on.heights.point, PAIR)
 
-    def _named(self, mark: Mark, text: str) -> Named:
-        return Named(self.seen.point(mark, self.place), text, (mark.slot,), self.place)
+    @cached_property
+    def near(self) -> list[Centre]:
+        """The centres that are drawn as points."""
+        inside, at = self.room.grown(-EDGE / 2), self.seen.point
+        there = [one for one in self.made.centres if not one.far]
+        return [one for one in there if inside.holds(at(one.mark, self.place))]
 
     def circles(self) -> Iterator[tuple[Mark, Rule]]:
         """The small circles of centres that are no pins."""
-        inside, pins = self.room.grown(-EDGE / 2), {*self.made.points.values()}
-        for one in self.made.centres:
-            spot = self.seen.point(one.mark, self.place) if not one.far else complex("nan")
-            if one.mark not in pins and finite(spot) and inside.holds(spot):
-                yield one.mark, leaving(circle("joint", spot, RADIUS))
+        for mark in (one.mark for one in self.near):
+            if mark not in self.made.points.values():
+                yield mark, leaving(circle("joint", self.seen.point(mark, self.place), RADIUS))
 
     def arrows(self, of: Mark, stretch: Stretch) -> Iterator[tuple[list[Ink], Wanted]]:
         """The arrows at the ends of a line, with the centres to which they lead."""
-        for tip, way, centres in stretch.leads:
+        for tip, way, centres in stretch[1]:
             names = ", ".join(f"{one.name}{'∞' if one.far else ''}" for one in centres)
             slots = tuple(dict.fromkeys((of.slot, *(one.mark.slot for one in centres))))
-            head: list[Ink] = [
-                stroke._replace(of=slots, position=self.place)
-                for stroke in arrow(tip - 8.0 * way, tip, "thin")
-            ]
-            text, size = f"→ {names}", self.on.heights.number
-            yield head, Wanted(text, tip, size, 1.0, way, slots, self.place)
+            head = arrow(tip - 8.0 * way, tip, "thin")
+            letter = Wanted(f"→ {names}", tip, self.on.heights.number, 1.0, way, slots, self.place)
+            yield [one._replace(of=slots, position=self.place) for one in head], letter
 
 
 def draw_scheme(
-    on: Subject,
-    made: Centres,
-    reaches: Mapping[Figure, Reach],
-    place: int,
-    times: float,
+    on: Subject, made: Centres, reaches: Mapping[Figure, Reach], place: int, times: float
 ) -> Drawing:
     """Return the scheme of centres in one position; ``times``: how much larger than the plan of positions."""
     ink = _Scheme(on, made, reaches, place, times)
     lines = ink.lines()
-    rules: dict[Mark, Rule] = {k: leaving(line("thin", *one.ends)) for k, one in lines.items()}
+    rules: dict[Mark, Rule] = {k: leaving(line("thin", *one[0])) for k, one in lines.items()}
     rules |= dict(ink.circles())
     traces = figure(ink.seen, showing(rules), helping=False)
     strokes = [*traces.staying, *ink.mechanism()]

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.execute import execute
 from graphic_tmm.board.geometry import wedge
 from graphic_tmm.board.grammar import Operation
+from graphic_tmm.board.operations.carried import carry_over
 from graphic_tmm.board.operations.instruments import (
     join,
     lay_off,
@@ -25,7 +27,11 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.centres import formulas as f
 from graphic_tmm.chapters.centres import words as why
+from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, incline_by
+from graphic_tmm.chapters.kinematics.drives.slider import Slider
 from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.plan import KinematicPlans
+from graphic_tmm.mechanism.records import Slide
 
 Pair = tuple[int, int]
 SAME = 1e-9
@@ -37,14 +43,6 @@ SURE = 1e-3
 PIN, GUIDE, WHEEL, LINES, PARALLEL = "pin", "guide", "wheel", "lines", "parallel lines"
 NORMALS, IMAGE, RATES = "normals", "image", "rates"
 """How a centre was found."""
-
-
-class Crossing(NamedTuple):
-    """Two lines for a centre: the links over which they go, how squarely they cross; or are parallel."""
-
-    over: Pair
-    score: float
-    far: bool
 
 
 @dataclass(frozen=True)
@@ -133,18 +131,18 @@ class Network:
             found = [(one, links) for links in self.missing if (one := self._best(links))]
             if not found:
                 return
-            most = max(one.score for one, _ in found)
-            self._meet(*next(pair for pair in found if pair[0].score >= 0.99 * most))
+            most = max(score for (score, *_), _ in found)
+            self._meet(*next(pair for pair in found if pair[0][0] >= 0.99 * most))
 
-    def _best(self, links: Pair) -> Crossing | None:
-        """Return the two lines to a centre that cross most squarely; None where there are none."""
+    def _best(self, links: Pair) -> tuple[float, bool, Pair] | None:
+        """Return how squarely the best two lines to a centre cross, or if they are parallel; by which links."""
         i, j = links
         there = [k for k in self.links if k not in links and self.of(i, k) and self.of(k, j)]
-        best: Crossing | None = None
+        best: tuple[float, bool, Pair] | None = None
         for over in combinations(there, 2):
             crossing = self._crossing(*(self._course(i, k, j) for k in over))
-            if crossing is not None and (best is None or crossing[0] > best.score + SAME):
-                best = Crossing(over, *crossing)
+            if crossing is not None and (best is None or crossing[0] > best[0] + SAME):
+                best = (*crossing, over)
         return best
 
     def _course(self, i: int, k: int, j: int) -> Line | str | None:
@@ -179,20 +177,17 @@ class Network:
         score = float(np.mean(np.nan_to_num(np.minimum(own, SQUARE)))) / SQUARE
         return (score, False) if score > SURE else None
 
-    def _meet(self, crossing: Crossing, links: Pair) -> None:
-        i, j = links
-        ends = [
-            (self.centres[self.pair(i, k)], self.centres[self.pair(k, j)]) for k in crossing.over
-        ]
+    def _meet(self, crossing: tuple[float, bool, Pair], links: Pair) -> None:
+        (i, j), (_, far, over) = links, crossing
+        ends = [(self.centres[self.pair(i, k)], self.centres[self.pair(k, j)]) for k in over]
         says = " × ".join(f"({p.name} {q.name})" for p, q in ends)
         self.draft.say(f"{letter_of(links)} = {says}")
         lines = [self.line(p, q) for p, q in ends if not (p.far and q.far)]
-        if crossing.far:
-            mark, way = lines[0], PARALLEL
-        else:
+        mark, way = lines[0], PARALLEL
+        if not far:
             mark = self.draw(meet, letter_of(links), *lines, free=True, why=why.TWO_LINES)
             way = LINES
-        self.enter(Centre(links, mark, crossing.far, way, crossing.over, tuple(lines)))
+        self.enter(Centre(links, mark, far, way, over, tuple(lines)))
 
     def line(self, first: Centre, second: Centre) -> Mark:
         """Draw the line through two centres, once."""
@@ -221,19 +216,19 @@ class Network:
             if image != pole:
                 with np.errstate(all="ignore"):
                     off = self.values[image] - self.values[pole]
-                    ways[k] = Line(self.values[k], off / np.abs(off))
-        found = [
-            (one[0], pair)
-            for pair in combinations(ways, 2)
-            if (one := self._crossing(*map(ways.get, pair)))
-        ]
-        (_, pair), lines = max(found, default=(0.0, None), key=lambda one: one[0]), list[Mark]()
+                    ways[k] = Line(self.values[k], (1.0 if turned else 1j) * off / np.abs(off))
+        tried = ((self._crossing(*map(ways.get, pair)), pair) for pair in combinations(ways, 2))
+        found = [(*crossing, pair) for crossing, pair in tried if crossing is not None]
+        lines = list[Mark]()
+        _, far, pair = max(found, default=(0.0, False, None), key=lambda k: k[0])
         if pair is not None:
             for k in pair:
                 ray = self.draw(join, f"(p{points[k].name})", pole, points[k], why=why.VELOCITY)
                 op = parallel if turned else square
                 lines.append(self.draw(op, f"(⊥v_{k.name})", k, ray, why=why.NORMAL))
-            mark = self.draw(meet, letter, *lines, free=True, why=why.TWO_NORMALS)
+            mark = lines[0]
+            if not far:
+                mark = self.draw(meet, letter, *lines, free=True, why=why.TWO_NORMALS)
         else:
             pair = next((p for p in combinations(points, 2) if points[p[0]] != points[p[1]]), None)
             if pair is None:
@@ -241,7 +236,7 @@ class Network:
             uses = (*pair, *(points[k] for k in pair), pole)
             mark = self.draw(similar, letter, *uses, free=True, why=why.IMAGE)
         way = NORMALS if lines else IMAGE
-        self.enter(Centre(self.pair(link, self.frame), mark, False, way, (), tuple(lines)))
+        self.enter(Centre(self.pair(link, self.frame), mark, far, way, (), tuple(lines)))
         return True
 
     def by_rates(self, plan: Motion) -> None:
@@ -258,3 +253,87 @@ class Network:
             part = self.draw(f.divided, f"{there[0].name}{name}", whole, *rates)
             mark = self.draw(lay_off, name, line, part, free=True, why=why.DIVIDED)
             self.enter(Centre(links, mark, False, RATES, (), (line,)))
+
+
+class Scheme:
+    """The scheme of centres: points of the plan of positions as they stand in it, each carried over once."""
+
+    def __init__(self, draft: Draft, plans: KinematicPlans, network: Network, mu: Mark) -> None:
+        self.draft, self.plans, self.network, self.mu = draft, plans, network, mu
+        self.points: dict[Mark, Mark] = {}
+        assert plans.velocities is not None
+        self.velocities: Motion = plans.velocities
+
+    def point(self, of: Mark) -> Mark:
+        """Return a point of the plan of positions in the scheme."""
+        if of not in self.points:
+            factors = self.draft.mu_l, self.mu
+            self.points[of] = self.network.draw(carry_over, of.letter, of, *factors, free=True)
+        return self.points[of]
+
+    def images(self, link: int) -> Mapping[Mark, Mark]:
+        """Return the points of a link in the scheme, with their images on the plan of velocities."""
+        body, images = self.plans.positions.bodies[link], self.velocities.images.by_letter[link]
+        return {
+            self.point(mark): images[letter]
+            for letter, mark in body.marks.items()
+            if letter in images and letter in body.link.points
+        }
+
+    def primary(self) -> None:
+        """Enter the centres of all pairs."""
+        pinned: dict[str, list[int]] = {}
+        for number, body in self.plans.positions.bodies.items():
+            for letter in body.link.points:
+                pinned.setdefault(letter, []).append(number)
+        for letter, links in pinned.items():
+            for both in combinations(links, 2):
+                mark = self.point(self.plans.positions.bodies[both[0]].marks[letter])
+                self.network.enter(Centre(self.network.pair(*both), mark, False, PIN))
+        for wheel in self.plans.positions.wheels:
+            if wheel.span is None:
+                pair = self.network.pair(wheel.rolling.on, wheel.leg.link)
+                self.network.enter(Centre(pair, self.point(wheel.pitch), False, WHEEL))
+        for first, second, through, guide in self._guides():
+            pair = self.network.pair(first, second)
+            if pair not in self.network.centres:
+                if guide not in self.network.values:
+                    self.network.values |= trial_values(self.draft, [guide])
+                name = f"({through.name}{letter_of(pair)})"
+                line = self.network.draw(square, name, through, guide, why=why.AT_INFINITY)
+                self.network.enter(Centre(pair, line, True, GUIDE))
+
+    def _guides(self) -> Iterator[tuple[int, int, Mark, Mark]]:
+        """Yield two links that slide on each other, a point of the scheme there, the line of the guide."""
+        positions, mechanism = self.plans.positions, self.plans.mechanism
+        along = dict[tuple[int, int], Mark]()
+        for closing in positions.closings:
+            for leg in closing.legs:
+                if isinstance(leg, GuideLeg):
+                    along[leg.link, leg.on] = leg.line
+                elif isinstance(leg, PinLeg) and leg.rod:
+                    yield leg.link, leg.rod, self.point(leg.pivot), leg.line
+        for pair in self.plans.pairs:
+            if isinstance(pair, Slider):
+                along[pair.link, mechanism.frame.number] = pair.path(positions, self.draft.uses)
+        for number, body in positions.bodies.items():
+            for slide in body.link.slides:
+                if self.network.of(number, slide.on) is not None:
+                    continue
+                marks = [*body.marks.values(), *positions.bodies[slide.on].marks.values()]
+                through = self.point(marks[0])
+                line = along.get((number, slide.on)) or self._drawn(slide, through)
+                yield number, slide.on, through, line
+
+    def _drawn(self, slide: Slide, through: Mark) -> Mark:
+        """Draw a guide that no plan has drawn yet."""
+        body = self.plans.positions.bodies[slide.on]
+        bend = slide.guide.angle - body.angle
+        return incline_by(self.draft, slide.guide.name, through, body.axis, bend)
+
+
+def trial_values(draft: Draft, marks: Sequence[Mark]) -> dict[Mark, Any]:
+    """Return marks in the positions of the row, at 1 m and 1 m/s a mm."""
+    log = draft.board.construction()
+    reading = execute(log, {**dict.fromkeys(log.given, 1.0), **draft.given}, marks)
+    return {mark: reading[mark] for mark in marks}

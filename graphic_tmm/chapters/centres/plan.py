@@ -15,13 +15,17 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Line, Number, Point
 from graphic_tmm.chapters.centres import formulas as f
 from graphic_tmm.chapters.centres import words as why
-from graphic_tmm.chapters.centres.network import Centre, Network, Pair
-from graphic_tmm.chapters.centres.primary import Scheme, trial_values
+from graphic_tmm.chapters.centres.network import (
+    Centre,
+    Network,
+    Pair,
+    Scheme,
+    trial_values,
+)
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
-from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.chapters.kinematics.task import POSITIONS, VELOCITIES
 from graphic_tmm.project import Bench
 from graphic_tmm.scene.chapter import Recorded
@@ -111,13 +115,13 @@ def record(bench: Bench) -> Centres | None:
             scheme.point(body.marks[letter])
     scheme.primary()
     network.close()
-    _by_velocities(network, scheme, plans, turned=bench.scene.turned)
-    finder = _Finder(draft, plans, network, scheme)
-    rotations = tuple(finder.rotations())
+    _by_velocities(scheme, turned=bench.scene.turned)
+    finder = _Finder(scheme)
+    rotations = finder.rotations()
     speeds = tuple(finder.speeds(rotations))
     return Centres(
         order, mu, places, tuple(numbers), frame, scheme.points, tuple(network.centres.values()),
-        tuple(network.missing), finder.driver, rotations, speeds,
+        tuple(network.missing), finder.driver, tuple(rotations), speeds,
     )  # fmt: skip
 
 
@@ -126,54 +130,58 @@ def _drawn(draft: Draft) -> dict[Mark, Any]:
     log, views = draft.board.construction(), (POSITIONS, VELOCITIES)
     marks = [step.it for step in log.steps if step.it.view in views and not step.op.across]
     marks = [mark for mark in marks if mark.kind in (Point, Line, Number)]
-    marks += [mark for mark in log.given if mark.view in views and mark.kind is Point]
+    marks += [mark for mark in log.given if mark.view in views and mark.kind in (Point, Number)]
     return trial_values(draft, marks)
 
 
-def _by_velocities(
-    network: Network, scheme: Scheme, plans: KinematicPlans, *, turned: bool
-) -> None:
+def _by_velocities(scheme: Scheme, *, turned: bool) -> None:
     """Find centres that no two lines tell: P_i0 by velocities, then whatever follows of them."""
-    velocities = plans.velocities
-    assert velocities is not None
+    network, images = scheme.network, scheme.velocities.images
     for link in network.links[:-1]:
-        if network.of(link, network.frame) is None and velocities.images.turns(link):
-            images = scheme.images(link)
-            if network.by_normals(link, images, velocities.images.pole, turned=turned):
-                network.close()
+        lacks = network.of(link, network.frame) is None and images.turns(link)
+        if lacks and network.by_normals(link, scheme.images(link), images.pole, turned=turned):
+            network.close()
     if network.missing:
-        network.by_rates(velocities)
+        network.by_rates(scheme.velocities)
         network.close()
 
 
 class _Finder:
     """What is found by the centres."""
 
-    def __init__(
-        self, draft: Draft, plans: KinematicPlans, network: Network, scheme: Scheme
-    ) -> None:
-        velocities = plans.velocities
-        assert velocities is not None
-        self.draft, self.plans, self.network, self.scheme = draft, plans, network, scheme
-        self.velocities: Motion = velocities
+    def __init__(self, scheme: Scheme) -> None:
+        plans = self.plans = scheme.plans
+        self.draft, self.network, self.scheme = scheme.draft, scheme.network, scheme
+        self.velocities = scheme.velocities
         self.pair = plans.pairs[0]
         alone = len(plans.pairs) == 1 and isinstance(self.pair, Crank | Slider)
         self.driver = self.pair.link if alone else 0
-        self.frame = network.frame
+        self.frame = self.network.frame
 
     @property
     def speed(self) -> Mark:
         """What is given of the drive."""
         return self.velocities.speeds[self.pair.link]
 
-    def rotations(self) -> Iterator[Rotation]:
-        """Yield how each link turns that is not driven."""
+    def rotations(self) -> list[Rotation]:
+        """Return how each link turns that is no driven crank."""
+        found = list[Rotation]()
         cranks = [pair.link for pair in self.plans.pairs if isinstance(pair, Crank)]
         for link in self.network.links[:-1]:
             own = self.network.of(link, self.frame)
             if own is not None and link not in cranks:
-                found = self._rotation(link, own)
-                yield replace(found, plan=self.velocities.rates.get(link))
+                rate = self.velocities.rates.get(link)
+                found.append(replace(self._rotation(link, own), plan=rate))
+        for k, one in enumerate(found):
+            if one.omega is None and not one.still:
+                same = next((other for other in found if self._alike(one.link, other.link)), one)
+                found[k] = replace(same, link=one.link, plan=one.plan)
+        return found
+
+    def _alike(self, first: int, second: int) -> bool:
+        """Whether two links slide on each other, so that they turn alike."""
+        common = self.network.of(first, second)
+        return common is not None and common.far
 
     def _rotation(self, link: int, own: Centre) -> Rotation:
         if own.far:
@@ -190,8 +198,8 @@ class _Finder:
         if base.far:
             assert isinstance(self.pair, Slider)
             guide = self.pair.path(self.plans.positions, self.draft.uses)
-            line = draw(square, f"({own.mark.name}{common.mark.name})", own.mark, guide, sense=-1)
             way = f"{own.mark.name}{common.mark.name}"
+            line = draw(square, f"({way})", own.mark, guide, sense=-1)
             long = draw(measure_along, way, own.mark, common.mark, line, why=why.TO_COMMON)
             omega = draw(f.rate_by_slider, f"ω_{link}", self.speed, long, unit="1/s")
             return Rotation(link, omega=omega, ends=(long,))
@@ -231,21 +239,15 @@ class _Finder:
 
     def _readings(self, link: int) -> dict[Mark, Mark]:
         """Return by the points of a link in the scheme the lengths that the plan of velocities has for them."""
-        images = self.scheme.images(link)
-        found = {point: self._reading(image) for point, image in images.items()}
-        return {point: length for point, length in found.items() if length is not None}
+        pole, board, found = self.velocities.images.pole, self.draft.board, dict[Mark, Mark]()
+        for point, image in self.scheme.images(link).items():
+            if (read := board.length(pole, image)) is not None:
+                found[point] = read
+            elif image != pole and board.step(image).op is lay_off:
+                found[point] = board.uses(image)[1]
+        return found
 
-    def _reading(self, image: Mark) -> Mark | None:
-        """Return the length from the pole to an image, as it was read or laid off."""
-        pole = self.velocities.images.pole
-        if image == pole:
-            return None
-        read = self.draft.board.length(pole, image)
-        if read is None and self.draft.board.step(image).op is lay_off:
-            return self.draft.uses(image)[1]
-        return read
-
-    def speeds(self, rotations: tuple[Rotation, ...]) -> Iterator[PointSpeed]:
+    def speeds(self, rotations: list[Rotation]) -> Iterator[PointSpeed]:
         """Yield the velocities of the named points, each by the nearest centre of a link that it is of."""
         bodies, there = self.plans.positions.bodies, {*self.plans.mechanism.frame.points}
         if isinstance(self.pair, Crank) and self.driver:
@@ -254,18 +256,17 @@ class _Finder:
         for one, letter in sorted(every, key=lambda k: self._distance(*k)):
             if letter in {*there, one.by_point}:
                 continue
-            own, point = self.network.of(one.link, self.frame), self._point(one, letter)
+            own = self.network.of(one.link, self.frame)
+            point = self.scheme.point(bodies[one.link].marks[letter])
             if own is not None and (found := self._speed(one, own, point, letter)) is not None:
                 there.add(letter)
                 yield PointSpeed(letter, one.link, *found, self._readings(one.link).get(point))
 
-    def _point(self, one: Rotation, letter: str) -> Mark:
-        return self.scheme.point(self.plans.positions.bodies[one.link].marks[letter])
-
     def _distance(self, one: Rotation, letter: str) -> float:
         """Return how far a point is from the centre of its link, in the middle of the positions."""
+        marks = self.plans.positions.bodies[one.link].marks
         own = self.network.finite(one.link, self.frame)
-        return self._apart(own, self._point(one, letter)) if own is not None else 0.0
+        return self._apart(own, self.scheme.point(marks[letter])) if own is not None else 0.0
 
     def _apart(self, first: Mark, second: Mark) -> float:
         values = self.network.values

@@ -9,14 +9,13 @@ import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Complexes
 from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.fitting.choice import usual_room
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
+from graphic_tmm.paper.traced import value_at
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -45,11 +44,6 @@ class Room(NamedTuple):
         off, back = spot - self.low, self.high - spot
         return min(off.real, off.imag, back.real, back.imag) >= 0.0
 
-    @property
-    def size(self) -> complex:
-        """Its width and its height."""
-        return self.high - self.low
-
     def part(self, at: complex, way: complex) -> tuple[float, float] | None:
         """Return between which distances along a line it lies inside; None where it does not."""
         corners = np.array([self.low, self.high]) - at
@@ -59,32 +53,25 @@ class Room(NamedTuple):
         return (first, last) if first < last else None
 
 
-def _about(spots: Sequence[complex] | Complexes) -> Room:
-    points = np.asarray(spots)
-    points = points[np.isfinite(points)]
-    return Room(
-        complex(points.real.min(), points.imag.min()), complex(points.real.max(), points.imag.max())
-    )
+def _about(spots: Sequence[complex]) -> Room:
+    x, y = (sorted(one) for one in zip(*((z.real, z.imag) for z in spots), strict=True))
+    return Room(complex(x[0], y[0]), complex(x[-1], y[-1]))
 
 
 def room(links: Sequence[complex], centres: Sequence[complex]) -> Room | None:
     """Return what part is drawn; None where the mechanism is not there."""
-    there = [spot for spot in links if np.isfinite(spot)]
+    there, others = ([z for z in spots if np.isfinite(z)] for spots in (links, centres))
     if not there:
         return None
-    own = _about(there)
-    near = own.grown(NEAR * max(own.size.real, own.size.imag))
-    return _about([*there, *(spot for spot in centres if np.isfinite(spot) and near.holds(spot))])
+    size = _about(there).high - _about(there).low
+    near = _about(there).grown(NEAR * max(size.real, size.imag))
+    return _about([*there, *filter(near.holds, others)])
 
 
 def spots(made: Centres, reading: Reading, place: int) -> tuple[list[complex], list[complex]]:
     """Return the points of the mechanism in a position, and the centres that are not at infinity."""
-
-    def at(mark: Mark) -> complex:
-        value: Complexes = reading[mark][0]
-        return complex(value[place if value.size > 1 else 0])
-
-    return [*map(at, made.points.values())], [at(one.mark) for one in made.centres if not one.far]
+    links = [value_at(reading[mark], place) for mark in made.points.values()]
+    return links, [value_at(reading[one.mark], place) for one in made.centres if not one.far]
 
 
 def _fixed(scene: Scene) -> str:
@@ -105,7 +92,7 @@ def reach(project: Project, doubts: Doubts) -> float:
     most = 0.0
     for place in made.places:
         if (found := room(*spots(made, reading, place))) is not None:
-            most = max(most, found.size.real, found.size.imag)
+            most = max(most, (found.high - found.low).real, (found.high - found.low).imag)
     return most
 
 

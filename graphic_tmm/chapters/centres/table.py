@@ -28,17 +28,11 @@ def columns(drawn: Drawn) -> Iterator[Column]:
             if segment not in known:
                 known.add(segment)
                 yield Column(CENTRES, segment, step.it.name, "m", np.abs(mm), np.abs(value))
-    for mark in figures(made):
+    marks = [mark for one in made.rotations for mark in (one.ratio, one.omega) if mark is not None]
+    marks = [mark for mark in marks if mark.view == CENTRES]
+    for mark in dict.fromkeys([*marks, *(one.value for one in made.speeds)]):
         row = _row(made, drawn, mark, None)
         yield Column(CENTRES, segment_name(mark.letter), mark.name, mark.unit, empty(count), row)
-
-
-def figures(made: Centres) -> Iterator[Mark]:
-    """Yield the ratios, the angular velocities and the velocities that the centres give."""
-    for one in made.rotations:
-        own = (one.ratio, None if one.alike else one.omega)
-        yield from (mark for mark in own if mark is not None)
-    yield from (one.value for one in made.speeds)
 
 
 def _row(made: Centres, drawn: Drawn, mark: Mark, by: Mark | None) -> Reals:

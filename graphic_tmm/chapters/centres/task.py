@@ -15,16 +15,12 @@ CENTRES = "centres"
 class CentresTask:
     """Instantaneous centres in some ``positions``, or ("all",); ``mu_l``: the scale of their scheme, m/mm."""
 
-    positions: tuple[str, ...] = key(
-        v.POSITIONS, "the positions whose instantaneous centres are drawn", [3]
-    )
-    mu_l: float | None = key(
-        v.MU_L, "the scale factor of lengths of the scheme of centres", "0.005 m/mm", None
-    )
+    positions: tuple[str, ...] = key(v.POSITIONS, "positions whose centres are drawn", [3])
+    mu_l: float | None = key(v.MU_L, "the scale of lengths of their scheme", "0.005 m/mm", None)
 
 
 ASKED: SectionKey[CentresTask] = SectionKey(CENTRES)
 
 SECTIONS = (
-    Section(CENTRES, CentresTask, "instantaneous centres of all links", begin="positions = [1]"),
+    Section(CENTRES, CentresTask, "instantaneous centres of links", begin="positions = [1]"),
 )

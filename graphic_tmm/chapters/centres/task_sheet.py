@@ -30,8 +30,7 @@ def assignments(scene: Scene, language: str) -> Iterator[str]:
         yield _(_EVERYWHERE)
     else:
         yield _(_POSITIONS, n=len(order.positions), listed=", ".join(order.positions))
-    yield _(_POLYGON)
-    yield _(_RATES)
+    yield from (_(_POLYGON), _(_RATES))
 
 
 TASK_SHEET = TaskSheet(given=lambda scene: (), wanted={CENTRES: assignments})

@@ -10,12 +10,6 @@ from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN
 from graphic_tmm.project import Project
 from graphic_tmm.readers.any_angles.turn import Turning, TurnQuantity
-from graphic_tmm.scene.records import Scene
-
-
-def free(scene: Scene) -> Scene:
-    """Return the scene with centres in all positions, whether it asks for them or not."""
-    return ASKED.put(scene, CentresTask(ALL))
 
 
 def quantities(project: Project) -> Iterator[TurnQuantity]:
@@ -28,4 +22,6 @@ def quantities(project: Project) -> Iterator[TurnQuantity]:
             yield TurnQuantity(CENTRES, "centres", key, one.mark, made.mu, origin=origin)
 
 
-TURNING = Turning(told=quantities, free=free, plan=CENTRES)
+TURNING = Turning(
+    told=quantities, free=lambda scene: ASKED.put(scene, CentresTask(ALL)), plan=CENTRES
+)

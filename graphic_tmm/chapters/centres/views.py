@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
@@ -15,6 +14,7 @@ from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.centres.words import WAYS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
+from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
@@ -26,6 +26,7 @@ from graphic_tmm.paper.formats import heights
 from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.ruled import ruled_table
+from graphic_tmm.paper.traced import value_at
 from graphic_tmm.paper.views import mu_text
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.scene.captions import captions
@@ -40,21 +41,14 @@ def centre_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         return []
     words = captions(drawn.scene.language)
     places = [k for k in made.places if k not in drawn.undrawn]
-    found = list[Drawing]()
+    found, scale = list[Drawing](), Scale(made.mu.name, drawn.value(made.mu), made.mu.unit)
     for place in places:
-        name = drawn.names[place]
-        title = f"{words[CENTRES]}, {words['position']} {escape(name)}"
-        on = subject(drawn, title, CENTRES, name=f"{CENTRES}-{name}")
-        view = scheme(drawn, made, on.title, place)
-        found.append(with_caption(view, on, lettered, scale_text(drawn, made)))
+        title = f"{words[CENTRES]}, {words['position']} {escape(drawn.names[place])}"
+        on, view = subject(drawn, title, CENTRES), scheme(drawn, made, title, place)
+        found.append(with_caption(view, on, lettered, mu_text(scale, on.language)))
     on = subject(drawn, words["centres polygon"], CENTRES, name="centres-polygon")
     found.append(with_caption(draw_polygon(on, made), on, lettered))
     return [*found, where(drawn, made, places), *(rates(drawn, made, k) for k in places)]
-
-
-def scale_text(drawn: Drawn, made: Centres) -> str:
-    """Return the scale factor of the scheme."""
-    return mu_text(Scale(made.mu.name, drawn.value(made.mu), made.mu.unit), drawn.scene.language)
 
 
 def scheme(drawn: Drawn, made: Centres, title: str, place: int) -> Drawing:
@@ -85,12 +79,8 @@ def where(drawn: Drawn, made: Centres, places: Sequence[int]) -> Drawing:
 def _spot(drawn: Drawn, one: Centre, place: int) -> tuple[str, str]:
     if one.far:
         return "∞", "∞"
-    at = complex(_at(drawn.reading[one.mark], place))
+    at = value_at(drawn.reading[one.mark], place)
     return _cell(at.real, 1, drawn), _cell(at.imag, 1, drawn)
-
-
-def _at(rows: Any, place: int) -> Any:
-    return rows[0][place if rows.shape[1] > 1 else 0]
 
 
 def _cell(value: float, places: int, drawn: Drawn) -> str:
@@ -109,19 +99,22 @@ def lines_of(made: Centres, one: Centre, language: str) -> str:
 def rates(drawn: Drawn, made: Centres, place: int) -> Drawing:
     """Return the table of ω and v in a position, by the centres and by the plan of velocities."""
     words = captions(drawn.scene.language)
+    mm = unit("mm", drawn.scene.language)
     rows = [row for one in made.rotations for row in _turning(drawn, made, one, place)]
     rows += [_moving(drawn, one, place) for one in made.speeds]
     title = f"{words['centres rates']}, {words['position']} {escape(drawn.names[place])}"
+    heads = [words["value"], f"{words['distances']}, {mm}"]
+    heads += [words[head] for head in ("by centres", "by plan", "unit")]
     high = heights(drawn.scene, CENTRES)
     return ruled_table(
         f"table-centres-{drawn.names[place]}", title,
-        [words["value"], "mm", words["by centres"], words["by plan"], words["unit"]], rows,
+        heads, rows,
         size=high.number, title_size=high.title, align=["left", *["centre"] * 3, "left"],
     )  # fmt: skip
 
 
 def _figure(drawn: Drawn, mark: Mark | None, place: int) -> float:
-    return float("nan") if mark is None else float(_at(drawn.reading.figure(mark), place))
+    return float("nan") if mark is None else value_at(drawn.reading.figure(mark), place).real
 
 
 def _turning(drawn: Drawn, made: Centres, one: Rotation, place: int) -> list[list[str]]:
@@ -140,9 +133,7 @@ def _turning(drawn: Drawn, made: Centres, one: Rotation, place: int) -> list[lis
 
 
 def _moving(drawn: Drawn, one: PointSpeed, place: int) -> list[str]:
-    velocities = KINEMATICS_PLAN.on(drawn).velocities
-    assert velocities is not None
-    plan = abs(_figure(drawn, one.plan, place)) * drawn.value(velocities.mu)
+    plan = abs(_figure(drawn, one.plan, place)) * drawn.scales[VELOCITIES].value
     found = [_cell(v, 4, drawn) for v in (_figure(drawn, one.value, place), plan)]
     length = _cell(abs(_figure(drawn, one.distance, place)), 1, drawn)
     return [f"v_{{{escape(one.letter)}}}", length, *found, unit("m/s", drawn.scene.language)]

@@ -14,6 +14,7 @@ CAPTIONS: dict[str, str] = {
     "centres rates": said("Velocities by the centres"),
     "centre": said("centre"),
     "centre of lines": said("lines"),
+    "distances": said("distances"),
     "by centres": said("by centres"),
     "by plan": said("by plan"),
 }
@@ -23,10 +24,7 @@ SYMBOLS = (
 )
 WORDS = Named(captions=CAPTIONS, plans=(CENTRES,), sources=("artobolevsky",), symbols=SYMBOLS)
 
-PIN = said("Links in a pin have one velocity there: it is the centre of each two of them.")
-AT_INFINITY = said(
-    "Of two links that slide on each other the centre lies at infinity, square to the guide."
-)
+AT_INFINITY = said("The centre of links that slide lies at infinity, square to their guide.")
 KENNEDY_LINE = said("The centres of three links lie on one straight line (Aronhold and Kennedy).")
 TO_INFINITY = said("A line to a centre at infinity is drawn parallel to the direction of that.")
 TWO_LINES = said(
