@@ -28,17 +28,9 @@ def columns(drawn: Drawn) -> Iterator[Column]:
             if segment not in known:
                 known.add(segment)
                 yield Column(CENTRES, segment, step.it.name, "m", np.abs(mm), np.abs(value))
-    for mark in figures(made):
+    for mark in made.figures:
         row = _row(made, drawn, mark, None)
         yield Column(CENTRES, segment_name(mark.letter), mark.name, mark.unit, empty(count), row)
-
-
-def figures(made: Centres) -> Iterator[Mark]:
-    """Yield the ratios, the angular velocities and the velocities that the centres give."""
-    for one in made.rotations:
-        own = (one.ratio, None if one.alike else one.omega)
-        yield from (mark for mark in own if mark is not None)
-    yield from (one.value for one in made.speeds)
 
 
 def _row(made: Centres, drawn: Drawn, mark: Mark, by: Mark | None) -> Reals:

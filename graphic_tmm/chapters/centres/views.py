@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.centres.ink import draw_scheme
 from graphic_tmm.chapters.centres.ink_polygon import draw_polygon
@@ -27,6 +27,7 @@ from graphic_tmm.paper.labels import finished
 from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.ruled import ruled_table
 from graphic_tmm.paper.views import mu_text
+from graphic_tmm.project import Project
 from graphic_tmm.readers.columns import Readings
 from graphic_tmm.scene.captions import captions
 
@@ -157,4 +158,11 @@ def plan_at(
 
 
 SHOWN = Views(draw={CENTRES: centre_views})
-READINGS = Readings(pointed=(CENTRES,), plan_at=plan_at)
+def figure_marks(project: Project) -> dict[tuple[str, str], Mark]:
+    """Return the marks of ratios and velocities, by plan and the name that machines read."""
+    made = CENTRES_PLAN.of(project)
+    marks = () if made is None else made.figures
+    return {(CENTRES, segment_name(mark.letter)): mark for mark in marks}
+
+
+READINGS = Readings(pointed=(CENTRES,), plan_at=plan_at, named_marks=figure_marks)
