@@ -95,7 +95,7 @@ class Comparison:
         """The log run with what was read."""
         if self.made.mechanism is None:
             return Run({}, {}, {})
-        return run(self.made.mechanism, *self.read_marks)
+        return run(self.made.mechanism, *self.read_marks, signed=self.signed_marks)
 
     def step(self, taken: Taken) -> Step | None:
         """Return the step that a reading is of; None where it is no length, point or rate of a plan."""
@@ -108,6 +108,13 @@ class Comparison:
     @cached_property
     def _by_marks(self) -> Mapping[Mark, Step]:
         return {step.it: step for step in self.steps.values()}
+
+    def sense(self, taken: Taken) -> float:
+        """Return the sign that a rate should have by what was read before it; 0 where that does not tell."""
+        step, place = self.step(taken), self.place(taken)
+        if step is None or place < 0 or step.it not in self.run.due:
+            return 0.0
+        return float(np.nan_to_num(np.sign(_at(self.run.due[step.it], place))))
 
     def larger(self, view: str, place: int) -> float:
         """Return how many times as large as due the longest of what was read of a view is; 1 at the least.
@@ -277,7 +284,8 @@ class Comparison:
         due = exact(self.made.mechanism, mark)
         due = np.where(np.isnan(self.read_marks[0][mark]), np.nan, due)
         due = np.abs(due) if mark.kind is Length else due
-        return run(self.made.mechanism, {**self.read_marks[0], mark: due}, {})
+        signed = {one: where for one, where in self.signed_marks.items() if one is not mark}
+        return run(self.made.mechanism, {**self.read_marks[0], mark: due}, {}, signed=signed)
 
 
 def _single(value: Any, place: int) -> Any:
