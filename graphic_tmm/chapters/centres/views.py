@@ -159,6 +159,8 @@ def plan_at(
 
 
 SHOWN = Views(draw={CENTRES: centre_views})
+
+
 def figure_marks(project: Project) -> dict[tuple[str, str], Mark]:
     """Return the marks of ratios and velocities, by plan and the name that machines read."""
     made = CENTRES_PLAN.of(project)

@@ -17,7 +17,7 @@ from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, re
 from graphic_tmm.checking.judging.step_scatter import share_of_slip
 from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_of
 from graphic_tmm.checking.judging.yardstick import Yardstick
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.records import FINE, Taken
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.readers.columns import Crossed, Readings
 
@@ -200,6 +200,8 @@ class Comparison:
             return
         reader, values = self.by.reader, self.run.values
         due = complex(_single(self.run.due[step.it], place))
+        off = abs(taken.spot - self.spots[taken.key])
+        placed = self.by.spread[taken.at].verdict(off, 0.0) == FINE
         crossed = (crossing(one) for one in self._crossings.get(step.it, ()))
         for way in (*ways_of(step, self.lines), *crossed):
             if not all(mark.slot in values for limb in way for mark in (limb.centre, *limb.of)):
@@ -211,6 +213,7 @@ class Comparison:
                 lambda mark: _single(values[mark.slot], place),
                 reader.hand,
                 self.share * reader.pointing,
+                placed=placed,
             )
 
     @cached_property

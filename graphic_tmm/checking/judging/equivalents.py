@@ -102,16 +102,20 @@ def offs(
     value: Callable[[Mark], Any],
     hand: Hand,
     pointing: float,
+    *,
+    placed: bool = False,
 ) -> tuple[Off, ...]:
     """Return how far a point is off the two conditions of a way; none if it cannot be drawn so.
 
-    ``value``: what the log, run with what was read, has of a mark; ``pointing``: the slip of the coordinates.
+    ``value``: what the log, run with what was read, has of a mark; ``pointing``: the slip of the coordinates;
+    ``placed``: it stands where it is due, so that two lines fixed it, however sharp they cross.
     """
     centres = [spot_of(limb.centre, value(limb.centre)) for limb in way]
     with np.errstate(all="ignore"):
         if way[0].kind == LINE:
             u, v = (_along(limb, spot, value) for limb, spot in zip(way, centres, strict=True))
-            if not abs((u.conjugate() * v).imag) >= LEAST_SINE * abs(u) * abs(v):
+            sharp = abs((u.conjugate() * v).imag) < LEAST_SINE * abs(u) * abs(v)
+            if sharp and not placed:
                 return ()
         elif way[0].kind == way[1].kind and not _fixed(way[0].kind, found, due, *centres):
             return ()

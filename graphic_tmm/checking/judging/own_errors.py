@@ -100,8 +100,8 @@ def run(
     """Run the log of a scene with what was read in the place of what it measured, calculated and marked.
 
     ``grain``: how far each figure that was read may be from what was meant, by rounding alone. ``wanted``: of
-    which marks the errors are told; None for all that were read. ``signed``: where a plus that was read of a rate
-    means that it is positive.
+    which marks the errors are told; None for all that were read. ``signed``: where a plus that was read of a
+    rate means that it is positive.
     """
     log, given = work.construction, work.given
     return run_log(log, given, found, grain, partial(exact, work), wanted, signed)
@@ -154,7 +154,9 @@ def run_log(
                     error = apart(read, value)
                     errors[step.it] = (Own(step, error, error, _grain(step, value, drawn, grain)),)
                 if step.it.kind is not Point:
-                    sure = signed.get(step.it, False) if signed and step.it.kind is Number else False
+                    sure = (
+                        signed.get(step.it, False) if signed and step.it.kind is Number else False
+                    )
                     read = np.where(sure, read, slips.directed(read, value))
                 value = np.where(np.isnan(read), value, read)
             values[step.it.slot] = value
