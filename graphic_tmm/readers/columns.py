@@ -175,6 +175,10 @@ def _no_plan(
     raise KeyError(plan)
 
 
+Crossed = tuple[tuple[Mark, Mark], tuple[Mark, Mark]]
+"""Two lines, each by two points, or by a point and a line along which it goes."""
+
+
 @dataclass(frozen=True)
 class Readings(Answer):
     """What a chapter knows of readings.
@@ -182,7 +186,8 @@ class Readings(Answer):
     ``pointed``: the plans of which readings may give points; ``plan_at``: such a plan in one position, lettered
     clear of what is drawn upon it; ``figure_at``: another figure by its view, None where it has none of it or
     not there. ``named_marks``: marks by plan and the name that machines read.
-    ``vectors``: the columns of the vectors that are measured on its plans.
+    ``vectors``: the columns of the vectors that are measured on its plans. ``crossings``: by a point, other
+    pairs of lines that meet there, each through two points, or through one along a line.
     """
 
     stands: ClassVar[str] = "views.READINGS"
@@ -193,6 +198,7 @@ class Readings(Answer):
     )
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
     vectors: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
+    crossings: Callable[[Project], Mapping[Mark, tuple[Crossed, ...]]] = lambda project: {}
 
 
 class Former(NamedTuple):

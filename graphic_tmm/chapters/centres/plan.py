@@ -81,6 +81,14 @@ class Centres:
     rotations: tuple[Rotation, ...]
     speeds: tuple[PointSpeed, ...]
 
+    @property
+    def figures(self) -> Iterator[Mark]:
+        """The ratios, the angular velocities and the velocities that the centres give."""
+        for one in self.rotations:
+            own = (one.ratio, None if one.alike else one.omega)
+            yield from (mark for mark in own if mark is not None and mark.view == CENTRES)
+        yield from (one.value for one in self.speeds)
+
 
 CENTRES_PLAN: Recorded[Centres] = Recorded(CENTRES)
 

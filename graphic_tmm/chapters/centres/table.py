@@ -28,9 +28,7 @@ def columns(drawn: Drawn) -> Iterator[Column]:
             if segment not in known:
                 known.add(segment)
                 yield Column(CENTRES, segment, step.it.name, "m", np.abs(mm), np.abs(value))
-    marks = [mark for one in made.rotations for mark in (one.ratio, one.omega) if mark is not None]
-    marks = [mark for mark in marks if mark.view == CENTRES]
-    for mark in dict.fromkeys([*marks, *(one.value for one in made.speeds)]):
+    for mark in made.figures:
         row = _row(made, drawn, mark, None)
         yield Column(CENTRES, segment_name(mark.letter), mark.name, mark.unit, empty(count), row)
 

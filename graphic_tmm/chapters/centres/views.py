@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import combinations
 
-from graphic_tmm.board.record import Mark
+from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.centres.ink import draw_scheme
 from graphic_tmm.chapters.centres.ink_polygon import draw_polygon
@@ -28,7 +29,8 @@ from graphic_tmm.paper.lettering.letters import escape
 from graphic_tmm.paper.ruled import ruled_table
 from graphic_tmm.paper.traced import value_at
 from graphic_tmm.paper.views import mu_text
-from graphic_tmm.readers.columns import Readings
+from graphic_tmm.project import Project
+from graphic_tmm.readers.columns import Crossed, Readings
 from graphic_tmm.scene.captions import captions
 
 NONE = "—"
@@ -148,4 +150,34 @@ def plan_at(
 
 
 SHOWN = Views(draw={CENTRES: centre_views})
-READINGS = Readings(pointed=(CENTRES,), plan_at=plan_at)
+
+
+def figure_marks(project: Project) -> dict[tuple[str, str], Mark]:
+    """Return the marks of ratios and velocities, by plan and the name that machines read."""
+    made = CENTRES_PLAN.of(project)
+    marks = () if made is None else made.figures
+    return {(CENTRES, segment_name(mark.letter)): mark for mark in marks}
+
+
+def crossings(project: Project) -> dict[Mark, tuple[Crossed, ...]]:
+    """Return of each centre the pairs of Kennedy's lines that lead to it by centres that were there before."""
+    made = CENTRES_PLAN.of(project)
+    if made is None:
+        return {}
+    there, found = dict[frozenset[int], Centre](), dict[Mark, tuple[Crossed, ...]]()
+    for one in made.centres:
+        i, j = one.links
+        lines = list[tuple[Mark, Mark]]()
+        for k in made.links:
+            ends = [there[pair] for pair in map(frozenset, ((i, k), (k, j))) if pair in there]
+            ends.sort(key=lambda end: end.far)
+            if len(ends) == 2 and not ends[0].far and ends[0].mark != ends[1].mark:
+                lines.append((ends[0].mark, ends[1].mark))
+        found[one.mark] = tuple(combinations(lines, 2))
+        there[frozenset(one.links)] = one
+    return found
+
+
+READINGS = Readings(
+    pointed=(CENTRES,), plan_at=plan_at, named_marks=figure_marks, crossings=crossings
+)

@@ -12,13 +12,14 @@ import numpy as np
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points, taken_figure
-from graphic_tmm.checking.judging.equivalents import Off, offs, ways_of
+from graphic_tmm.checking.judging.equivalents import Off, crossing, offs, ways_of
 from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, read_of, run
 from graphic_tmm.checking.judging.step_scatter import share_of_slip
 from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_of
 from graphic_tmm.checking.judging.yardstick import Yardstick
-from graphic_tmm.checking.records import Taken
+from graphic_tmm.checking.records import FINE, Taken
 from graphic_tmm.drawn import DrawnScene
+from graphic_tmm.readers.columns import Crossed, Readings
 
 MOST_USUAL, FEW, MUCH_WORSE = 1.6, 20, 1.6
 """Of a hand's own errors four of five are below 1.3 times the usual one (of the larger of two: 1.6). Fewer
@@ -95,7 +96,7 @@ class Comparison:
         """The log run with what was read."""
         if self.made.mechanism is None:
             return Run({}, {}, {})
-        return run(self.made.mechanism, *self.read_marks)
+        return run(self.made.mechanism, *self.read_marks, signed=self.signed_marks)
 
     def step(self, taken: Taken) -> Step | None:
         """Return the step that a reading is of; None where it is no length, point or rate of a plan."""
@@ -108,6 +109,13 @@ class Comparison:
     @cached_property
     def _by_marks(self) -> Mapping[Mark, Step]:
         return {step.it: step for step in self.steps.values()}
+
+    def sense(self, taken: Taken) -> float:
+        """Return the sign that a rate should have by what was read before it; 0 where that does not tell."""
+        step, place = self.step(taken), self.place(taken)
+        if step is None or place < 0 or step.it not in self.run.due:
+            return 0.0
+        return float(np.nan_to_num(np.sign(_at(self.run.due[step.it], place))))
 
     def larger(self, view: str, place: int) -> float:
         """Return how many times as large as due the longest of what was read of a view is; 1 at the least.
@@ -192,7 +200,12 @@ class Comparison:
             return
         reader, values = self.by.reader, self.run.values
         due = complex(_single(self.run.due[step.it], place))
-        for way in ways_of(step, self.lines):
+        off = abs(taken.spot - self.spots[taken.key])
+        placed = self.by.spread[taken.at].verdict(off, 0.0) == FINE
+        crossed = (crossing(one) for one in self._crossings.get(step.it, ()))
+        for way in (*ways_of(step, self.lines), *crossed):
+            if not all(mark.slot in values for limb in way for mark in (limb.centre, *limb.of)):
+                continue
             yield offs(
                 way,
                 taken.spot,
@@ -200,7 +213,18 @@ class Comparison:
                 lambda mark: _single(values[mark.slot], place),
                 reader.hand,
                 self.share * reader.pointing,
+                placed=placed,
             )
+
+    @cached_property
+    def _crossings(self) -> Mapping[Mark, tuple[Crossed, ...]]:
+        work = self.made.mechanism
+        chapters = () if work is None else work.project.chapters
+        found: dict[Mark, tuple[Crossed, ...]] = {}
+        for chapter in chapters:
+            assert work is not None
+            found |= Readings.of(chapter).crossings(work.project)
+        return found
 
     @cached_property
     def lines(self) -> Mapping[Mark, Step]:
@@ -277,7 +301,8 @@ class Comparison:
         due = exact(self.made.mechanism, mark)
         due = np.where(np.isnan(self.read_marks[0][mark]), np.nan, due)
         due = np.abs(due) if mark.kind is Length else due
-        return run(self.made.mechanism, {**self.read_marks[0], mark: due}, {})
+        signed = {one: where for one, where in self.signed_marks.items() if one is not mark}
+        return run(self.made.mechanism, {**self.read_marks[0], mark: due}, {}, signed=signed)
 
 
 def _single(value: Any, place: int) -> Any:

@@ -21,8 +21,9 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Arc, Line
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited
+from graphic_tmm.readers.columns import Crossed
 
-RAY, ARC = "ray", "arc"
+RAY, ARC, LINE = "ray", "arc", "line"
 WAYS: Mapping[str, tuple[tuple[str, str], ...]] = {
     # by the angles of the triangle or square to the sides of the link; by the ratios of the sides; by an angle
     # and a ratio, from either end
@@ -49,7 +50,10 @@ SAMPLE = 400
 
 
 class Limb(NamedTuple):
-    """One of two conditions: of which ``kind``, about which mark, ``of`` which length measured (two marks)."""
+    """One of two conditions: of which ``kind``, about which mark, ``of`` which length measured (two marks).
+
+    A line goes through its mark and the point ``of``, or along that line.
+    """
 
     kind: str
     centre: Mark
@@ -73,6 +77,12 @@ def ways_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[tuple[Limb, Limb], 
     return tuple(found)
 
 
+def crossing(lines: Crossed) -> tuple[Limb, Limb]:
+    """Return two lines, of which one goes through two points, or one along a line, as conditions."""
+    (first, to), (second, end) = lines
+    return Limb(LINE, first, (to,)), Limb(LINE, second, (end,))
+
+
 def _limb(step: Step, told: str, lines: Mapping[Mark, Step]) -> Limb | None:
     kind, centre, *of = told.replace(" of ", " ").split()
     name, _, end = centre.partition(".")
@@ -92,14 +102,22 @@ def offs(
     value: Callable[[Mark], Any],
     hand: Hand,
     pointing: float,
+    *,
+    placed: bool = False,
 ) -> tuple[Off, ...]:
     """Return how far a point is off the two conditions of a way; none if it cannot be drawn so.
 
-    ``value``: what the log, run with what was read, has of a mark; ``pointing``: the slip of the coordinates.
+    ``value``: what the log, run with what was read, has of a mark; ``pointing``: the slip of the coordinates;
+    ``placed``: it stands where it is due, so that two lines fixed it, however sharp they cross.
     """
     centres = [spot_of(limb.centre, value(limb.centre)) for limb in way]
     with np.errstate(all="ignore"):
-        if way[0].kind == way[1].kind and not _fixed(way[0].kind, found, due, *centres):
+        if way[0].kind == LINE:
+            u, v = (_along(limb, spot, value) for limb, spot in zip(way, centres, strict=True))
+            sharp = abs((u.conjugate() * v).imag) < LEAST_SINE * abs(u) * abs(v)
+            if sharp and not placed:
+                return ()
+        elif way[0].kind == way[1].kind and not _fixed(way[0].kind, found, due, *centres):
             return ()
         told = tuple(
             Off(*_off(limb, centre, found, due, value, hand, pointing))
@@ -124,8 +142,16 @@ def _off(
     hand: Hand,
     pointing: float,
 ) -> tuple[float, float]:
-    far = abs(due - centre)
-    if limb.kind == RAY:
+    far = abs((found if limb.kind == LINE else due) - centre)
+    if limb.kind == LINE:
+        along = _along(limb, centre, value)
+        error = ((found - centre) * along.conjugate()).imag / abs(along)
+        if limb.of[0].kind is Line:
+            slip = slips.swung(far, hand.swing)
+        else:  # what both ends are off turns and moves it
+            share = far / abs(along)
+            slip = math.hypot(hand.prick, pointing) * math.hypot(share, 1.0 - share)
+    elif limb.kind == RAY:
         error, slip = slips.off_ray(found, due, centre), slips.swung(far, hand.swing)
     else:
         base = np.abs(value(limb.of[1]) - value(limb.of[0])) if limb.of else math.inf
@@ -134,6 +160,12 @@ def _off(
         error = slips.off_opening(found, due, centre)
         slip = slips.opened(share, hand.compass, hand.reading, half)
     return float(error), slips.found_within(slip, hand.prick, pointing)
+
+
+def _along(limb: Limb, centre: complex, value: Callable[[Mark], Any]) -> complex:
+    """Return the direction of a line."""
+    other = value(limb.of[0])
+    return np.complex128(other.along if limb.of[0].kind is Line else other - centre)
 
 
 def spot_of(mark: Mark, value: Any) -> complex:

@@ -209,12 +209,14 @@ def _strict(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) ->
 def _other_sense(drawing: Comparison, taken: Taken) -> bool:
     """Whether a figure has the other sense than is due: lengths are read without one, so they do not tell it.
 
-    Of what is no larger than a hand is off by it the sign is chance.
+    Of what is no larger than a hand is off by it the sign is chance; a rate may have it by an earlier reading.
     """
     if taken.pointed or not (taken.signed or _rate(drawing, taken)):
         return False
     cell = drawing.due[taken.key]
     found, due = taken_figure(taken, cell), due_figure(cell, taken)
+    if _rate(drawing, taken) and drawing.sense(taken) * found > 0.0:
+        return False  # so it is by what was read before it
     if taken.signed and due < -drawing.by.spread[taken.at].doubtful:
         return found > 0.0
     return found < 0.0 < due and _rate(drawing, taken)

@@ -16,7 +16,7 @@ import numpy as np
 from graphic_tmm.board.execute import needed
 from graphic_tmm.board.operations.instruments import cross, cut, lay_off, meet
 from graphic_tmm.board.record import Construction, Mark, Step
-from graphic_tmm.board.values import Arc, Line, Point, Reals, Side
+from graphic_tmm.board.values import Arc, Line, Number, Point, Reals, Side
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.drawn import Drawn
@@ -91,14 +91,20 @@ class Run(NamedTuple):
 
 
 def run(
-    work: Drawn, found: Found, grain: Mapping[Mark, Grain], wanted: Container[Mark] | None = None
+    work: Drawn,
+    found: Found,
+    grain: Mapping[Mark, Grain],
+    wanted: Container[Mark] | None = None,
+    signed: Mapping[Mark, Any] | None = None,
 ) -> Run:
     """Run the log of a scene with what was read in the place of what it measured, calculated and marked.
 
     ``grain``: how far each figure that was read may be from what was meant, by rounding alone. ``wanted``: of
-    which marks the errors are told; None for all that were read.
+    which marks the errors are told; None for all that were read. ``signed``: where a plus that was read of a
+    rate means that it is positive.
     """
-    return run_log(work.construction, work.given, found, grain, partial(exact, work), wanted)
+    log, given = work.construction, work.given
+    return run_log(log, given, found, grain, partial(exact, work), wanted, signed)
 
 
 def run_log(
@@ -108,6 +114,7 @@ def run_log(
     grain: Mapping[Mark, Grain],
     exact: Callable[[Mark], Any],
     wanted: Container[Mark] | None = None,
+    signed: Mapping[Mark, Any] | None = None,
 ) -> Run:
     """Run a log with what was read in the place of what it measured, calculated and marked.
 
@@ -123,6 +130,8 @@ def run_log(
         What the exact hand has of a mark.
     wanted
         Of which marks the errors are told; None for all that were read.
+    signed
+        Where a plus that was read of a rate means that it is positive.
     """
     values: dict[int, Any] = {
         mark.slot: as_value(given[mark], mark.kind) for mark in log.given if mark in given
@@ -145,7 +154,10 @@ def run_log(
                     error = apart(read, value)
                     errors[step.it] = (Own(step, error, error, _grain(step, value, drawn, grain)),)
                 if step.it.kind is not Point:
-                    read = slips.directed(read, value)
+                    sure = (
+                        signed.get(step.it, False) if signed and step.it.kind is Number else False
+                    )
+                    read = np.where(sure, read, slips.directed(read, value))
                 value = np.where(np.isnan(read), value, read)
             values[step.it.slot] = value
     return Run(errors, due, values)

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from graphic_tmm.board.grammar import OPERATIONS
 from graphic_tmm.board.record import Mark, Step
-from graphic_tmm.board.values import Length, Point
+from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import Key, due_figure, taken_figure
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.comparison import Comparison
@@ -97,8 +97,14 @@ class Own:
         else:
             drawn_at_all = np.isfinite(value)  # any point of two lines in one is on both of them
             self.rows[step.it].append((rows, np.where(drawn_at_all, errors, np.nan)))
-        going = read if step.it.kind is Point else slips.directed(read, value)
-        return np.where(np.isnan(read), value, going)
+        return np.where(np.isnan(read), value, self._going(step, read, value))
+
+    def _going(self, step: Step, read: Any, value: Any) -> Any:
+        """Return a figure as others start from it."""
+        if step.it.kind is Point:
+            return read
+        sure = self.signed.get(step.it, False) if step.it.kind is Number else False
+        return np.where(sure, read, slips.directed(read, value))
 
     def _errors(self, step: Step, drawn: list[Any], value: Any, read: Any) -> Array:
         """Return errors, (part, row, position)."""
