@@ -14,7 +14,7 @@ from graphic_tmm.errors import TmmError
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.chapter import Answer, Chapter, chapters
 from graphic_tmm.scene.declare import Flaw
-from graphic_tmm.scene.document import Document
+from graphic_tmm.scene.document import Document, as_table
 from graphic_tmm.scene.records import Scene
 
 Speeds = tuple[Sequence[float], Sequence[float]]
@@ -67,6 +67,15 @@ def with_speeds(doc: Document, read: Callable[[Document], Scene]) -> tuple[Docum
     rest = {key: value for key, value in doc.items() if key not in taken}
     listed = {"speed": _texts(speeds, "rad/s"), "acceleration": _texts(gains, "rad/s^2")}
     return {**rest, "drive": {**drive, **listed}}, []
+
+
+def at_one_speed(doc: Document) -> Document:
+    """Return a document for who asks only where everything lies: without speeds that a chapter gives."""
+    drive = doc.get("drive")
+    word = drive.get("speed") if isinstance(drive, dict) else None
+    answers = (GivenSpeeds.of(one) for one in chapters())
+    speed = next((one.speed for one in answers if word in one.words), None)
+    return doc if speed is None else {**doc, "drive": {**as_table(drive), "speed": speed}}
 
 
 def _flaws(

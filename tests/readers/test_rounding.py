@@ -74,13 +74,19 @@ def follows(mm: Row, value: Row, mu: Decimal) -> bool:
     return True
 
 
+def upright(rows: Sequence[Row]) -> Sequence[Row]:
+    """Return the rows of a table, of one whose quantities stand beside one another its columns."""
+    beside = len(rows) > 2 and rows[2][0] in ("Unit", "Ед.")
+    return [list(one) for one in zip(*rows[1:], strict=True)] if beside else rows
+
+
 def wrong(drawn: Drawn, views: Iterable[Drawing]) -> list[tuple[str, Row, Row]]:
     """Return the rows of a board's tables whose quantities follow from no μ of the board as it is printed."""
     mus = [Decimal(f"{scale.value:.4g}") for scale in drawn.scales.values()]
     return [
         (view.name, mm, value)
         for view in views
-        for mm, value in measured(rows_of(view))
+        for mm, value in measured(upright(rows_of(view)))
         if not any(follows(mm, value, mu) for mu in mus)
     ]
 

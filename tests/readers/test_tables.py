@@ -37,10 +37,11 @@ ALONE = [name for name in NAMES if not gallery.scene(name).called & OWN_BOARDS]
 """Scenes of a mechanism alone: what stands on a board of its own has its own positions and scales."""
 GRAPHS = (
     "diagrams", "flywheel", "forces", "engine", "motion_law", "balance", "curvature", "bresse", "ball",
-    "hodograph", "analogues", "klein", "ritterhaus", "centres",
+    "hodograph", "analogues", "klein", "ritterhaus", "centres", "centrodes 2",
 )  # fmt: skip
 """Plans told in test_chart_tables.py, test_flywheel_tables.py, test_force_tables.py, test_shaking.py,
-test_curvature_sheets.py, test_klein.py, test_hodograph.py, test_centres.py."""
+test_curvature_sheets.py, test_klein.py, test_hodograph.py, test_centres.py,
+test_centrodes.py."""
 OTHER_MU = {
     "mu_diagram_S", "mu_diagram_V", "mu_diagram_a", "mu_base", "mu_p", "mu_M", "mu_A", "mu_T", "mu_J",
     "mu_lever", "mu_motor", "mu_motor_speeds", "mu_Phi", "mu_M_Phi",

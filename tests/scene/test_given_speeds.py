@@ -143,7 +143,7 @@ def test_a_task_gives_the_speeds_position_by_position() -> None:
     assert own.mechanism is not None
     tables = [*speeds_listed(own, "en")]
     names = [name for one in tables for name in one.heads[1:]]
-    assert names == [str(n) for n in range(24)]
+    assert names == [str(n) for n in range(12)]
     rows = [sum((one.rows[k][1:] for one in tables), ()) for k in (0, 1)]
     for row, due in zip(rows, (own.mechanism.drive.rates, own.mechanism.drive.gains), strict=True):
         figures = [float(one.replace("−", "-")) for one in row]

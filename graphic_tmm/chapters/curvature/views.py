@@ -22,13 +22,14 @@ from graphic_tmm.scene.captions import captions
 
 def curvature_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the constructions at each of their positions, then the table."""
-    language, made = drawn.scene.language, CURVATURE_PLAN.on(drawn)
+    language, made = drawn.scene.language, CURVATURE_PLAN.of(drawn)
     found = list[Drawing]()
-    for k in made.places:
+    for k in made.places if made is not None else ():
         if views := views_at(drawn, k, lettered):
             found += paired(views)
-    rows = [one for one in curvature_columns(drawn) if np.isfinite(one.value).any()]
-    if found and rows:
+    columns = curvature_columns(drawn) if found else ()
+    rows = [one for one in columns if np.isfinite(one.value).any()]
+    if rows:
         high = heights(drawn.scene, CURVATURE)
         found.append(result_table(CURVATURE, rows, drawn.names, language, heights=high))
     return found

@@ -15,6 +15,7 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.sketch import built
 from graphic_tmm.mechanism.structure import count, dissect
 from graphic_tmm.scene.document import Document
+from graphic_tmm.scene.given_speeds import at_one_speed
 from graphic_tmm.scene.read import understood
 from graphic_tmm.serve.scheme.drives import drive_tables
 from graphic_tmm.serve.scheme.sketches import Sketch, lying_document
@@ -55,7 +56,7 @@ def standing_of(sketch: Sketch, doc: Document) -> Standing:
     undriven = {"link": sketch["links"][1]["number"], "speed": 0}
     lies["drive"] = drive_tables(doc, drives) if drives else undriven
     try:
-        mechanism = understood(lies, "scheme").mechanism
+        mechanism = understood(at_one_speed(lies), "scheme").mechanism
     except SceneError as error:
         return Standing(says=error.faults[0].message)
     assert mechanism is not None

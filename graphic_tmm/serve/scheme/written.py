@@ -10,6 +10,7 @@ from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.sketch import built
 from graphic_tmm.scene.document import Document, toml
+from graphic_tmm.scene.given_speeds import at_one_speed
 from graphic_tmm.scene.joints import UNSURE, unseen_side
 from graphic_tmm.scene.link_tables import tables_of
 from graphic_tmm.scene.mechanism import Joints
@@ -117,4 +118,5 @@ def positions_scene(doc: Document) -> Scene:
 def placing_part(doc: Document, others: Collection[str] = ()) -> Document:
     """Return what a scene says of where everything lies, and its sections of some names."""
     known = (*BARE, *others)
-    return {k: one for k, one in doc.items() if k in known or not isinstance(one, (dict, list))}
+    kept = {k: one for k, one in doc.items() if k in known or not isinstance(one, (dict, list))}
+    return at_one_speed(kept)

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 import shapely
 from support.each import each
-from support.gallery import NAMES, PLANS, drawn
+from support.gallery import NAMES, NO_PLANS, PLANS, drawn
 
 from graphic_tmm.chapters.kinematics import views
 from graphic_tmm.chapters.kinematics.ink_plans import (
@@ -27,6 +27,9 @@ from graphic_tmm.paper.rules import BEYOND
 from graphic_tmm.paper.seen import Subject
 from graphic_tmm.paper.shapes import box
 from graphic_tmm.paper.symbols.kinematic import POLE_RADIUS
+
+PLANNED = [name for name in NAMES if name not in NO_PLANS]
+"""Scenes with plans of velocities."""
 
 
 @cache
@@ -114,7 +117,7 @@ def test_a_vector_of_no_length_has_no_arrow_and_its_ends_share_a_letter() -> Non
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLANNED)
 def test_every_point_of_a_plan_is_lettered_once(name: str) -> None:
     work = drawn(name, exact=True)
     points = [m for m in work.project.marks("velocities") if m.kind.__name__ == "Point"]
@@ -125,7 +128,7 @@ def test_every_point_of_a_plan_is_lettered_once(name: str) -> None:
         assert sorted(texts) == sorted(["p", *(markup(m.letter) for m in points)])
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLANNED)
 def test_construction_lines_go_on_behind_their_intersection(name: str) -> None:
     work, view = drawn(name, exact=True), plan(name, "velocities", 1)
     log = work.project.construction
@@ -165,7 +168,7 @@ def test_the_pole_is_a_dot() -> None:
     assert math.dist((x0, y0), (x1, y1)) == pytest.approx(2 * POLE_RADIUS)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", PLANNED)
 def test_an_unlettered_plan_takes_about_the_room_of_a_lettered_one(name: str) -> None:
     for index in range(3):
         bare = plan(name, "velocities", index, False)

@@ -94,6 +94,10 @@ def stated(name: str) -> set[float]:
     text = (SHEETS / name / "scene.toml").read_text(encoding="utf-8")
     lines = [line.split("#")[0] for line in text.splitlines()]
     found = [number(one) for line in lines for one in _NUMBER.findall(line)]
+    mechanism = made(name).scene.mechanism
+    if mechanism is not None:  # speeds that the law of motion gives the plans
+        rows = (*mechanism.drive.rates, *mechanism.drive.gains)
+        found += [float(f"{abs(one):.6g}") for one in rows]
     return {
         float(f"{value * factor:.6g}")
         for value in found
