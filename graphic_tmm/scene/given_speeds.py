@@ -46,17 +46,14 @@ def with_speeds(doc: Document, read: Callable[[Document], Scene]) -> tuple[Docum
     read : callable
         The scene of another document of the same file.
     """
-    drive = doc.get("drive")
-    word = drive.get("speed") if isinstance(drive, dict) else None
-    giver = next((one for one in chapters() if word in GivenSpeeds.of(one).words), None)
-    if giver is None or not isinstance(drive, dict):
+    if (giver := _giver(doc)) is None:
         return doc, []
-    answer = GivenSpeeds.of(giver)
+    drive, answer = as_table(doc["drive"]), GivenSpeeds.of(giver)
     gone = [one for one in chapters() if one is giver or one.name in answer.chapters]
     if flaws := list(_flaws(doc, drive, giver, gone)):
         return doc, flaws
     # what the chapter draws is read off a sheet that shows nothing else
-    first = next((one for one in _sheets(doc)), {})
+    first = next(iter(_sheets(doc)), {})
     sheet = {**first, "place": [place.name for place in giver.places]}
     base = read({**doc, "drive": {**drive, "speed": answer.speed}, "sheet": [sheet]})
     try:
@@ -71,11 +68,15 @@ def with_speeds(doc: Document, read: Callable[[Document], Scene]) -> tuple[Docum
 
 def at_one_speed(doc: Document) -> Document:
     """Return a document for who asks only where everything lies: without speeds that a chapter gives."""
-    drive = doc.get("drive")
-    word = drive.get("speed") if isinstance(drive, dict) else None
-    answers = (GivenSpeeds.of(one) for one in chapters())
-    speed = next((one.speed for one in answers if word in one.words), None)
-    return doc if speed is None else {**doc, "drive": {**as_table(drive), "speed": speed}}
+    if (giver := _giver(doc)) is None:
+        return doc
+    return {**doc, "drive": {**as_table(doc["drive"]), "speed": GivenSpeeds.of(giver).speed}}
+
+
+def _giver(doc: Document) -> Chapter | None:
+    """Return the chapter that the speed of the drive names."""
+    word = as_table(doc.get("drive")).get("speed")
+    return next((one for one in chapters() if word in GivenSpeeds.of(one).words), None)
 
 
 def _flaws(
@@ -88,10 +89,11 @@ def _flaws(
     if "acceleration" in drive:
         says = said("[{section}] gives it with the speed: leave it out", section=section)
         yield Flaw(("drive", "acceleration"), says)
-    own = {place.name for one in gone for place in one.places}
+    own = [place.name for one in gone for place in one.places]
     for k, sheet in enumerate(_sheets(doc)):
         places = sheet.get("place", ())
-        for name in own & {*(places if isinstance(places, list) else [places])}:
+        written = places if isinstance(places, list) else [places]
+        for name in (one for one in own if one in written):
             says = said(
                 "{place} is drawn at one speed of the drive, and here [{section}] gives it: show it on a sheet "
                 "of a scene that writes the speed",
@@ -103,9 +105,7 @@ def _flaws(
 
 def _sheets(doc: Document) -> list[Mapping[str, object]]:
     sheets = doc.get("sheet")
-    return (
-        [one if isinstance(one, dict) else {} for one in sheets] if isinstance(sheets, list) else []
-    )
+    return [as_table(one) for one in sheets] if isinstance(sheets, list) else []
 
 
 def _texts(values: Sequence[float], unit: str) -> list[str]:
