@@ -27,8 +27,9 @@ from graphic_tmm.serve.scheme.act import SchemeAct, drawing_of, scheme
 EN = speaking("en")
 SCENES = sorted(f for f in SHEETS.glob("*/scene.toml") if "[[link]]" in f.read_text("utf-8"))
 NAMES = [file.parent.name for file in SCENES]
-BY_HAND = [file for file in SCENES if "[[mesh]]" not in file.read_text("utf-8")]
-"""Those without wheels on links, for which a hand has no tool."""
+NO_TOOL = ("[[mesh]]", "flips_at")
+BY_HAND = [file for file in SCENES if not any(one in file.read_text("utf-8") for one in NO_TOOL)]
+"""Those without wheels on links and without sides that flip at change points, for which a hand has no tool."""
 DRAWN = 150.0
 """mm that a drawing is wide; a hand clicks with an error of `HAND` mm (standard deviation)."""
 HAND = 0.5

@@ -156,7 +156,7 @@ def figure_marks(project: Project) -> dict[tuple[str, str], Mark]:
     """Return the marks of ratios and velocities, by plan and the name that machines read."""
     made = CENTRES_PLAN.of(project)
     marks = () if made is None else made.figures
-    return {(CENTRES, segment_name(mark.letter)): mark for mark in marks}
+    return dict(((CENTRES, segment_name(mark.letter)), mark) for mark in marks)
 
 
 def crossings(project: Project) -> dict[Mark, tuple[Crossed, ...]]:

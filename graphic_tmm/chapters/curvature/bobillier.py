@@ -99,18 +99,13 @@ def draw_path(figure: LinkFigure, letter: str, quarters: int) -> Path | None:
     start = velocities.images.pole
     way = draft.draw(join, f"(v_{{{letter}}})", start, image, free=True, why=why.WAY)
     draft.open(ACCELERATIONS)
-    (op, sense), (other, back) = ((square, 1), (parallel, 1))
-    if quarters:
-        (op, sense), (other, back) = ((parallel, -quarters), (square, quarters))
+    op, sense = (parallel, -quarters) if quarters else (square, 1)
     along = draft.draw(
         op, f"(n_{{{small}}})", pole, way, sense=sense, free=True, why=why.ALONG_NORMAL
     )
-    across = draft.draw(
-        other, f"(t_{{{small}}})", end, way, sense=back, free=True, why=why.NORMAL_PART
+    part = draft.draw(
+        measure_along, f"n_{{{small}}}", pole, end, along, free=True, why=why.NORMAL_PART
     )
-    foot = draft.draw(meet, f"{small}′", along, across, free=True, why=why.NORMAL_PART)
-    segment = between(pole, foot.letter)
-    part = draft.draw(measure_along, segment, pole, foot, along, free=True, why=why.NORMAL_PART)
     component(draft, part, "n", small)
     at, name = figure.letters[letter], centre_letter(letter)
     radius = figure.put(
