@@ -23,6 +23,7 @@ from graphic_tmm.scene.build import mechanism_of
 from graphic_tmm.scene.checks import contradictions
 from graphic_tmm.scene.declare import Flaw, Names, Path, build
 from graphic_tmm.scene.document import Document, as_table, raw_links
+from graphic_tmm.scene.given_speeds import at_one_speed
 from graphic_tmm.scene.guides import direction
 from graphic_tmm.scene.link_tables import link_table, slides_of
 from graphic_tmm.scene.mechanism import Frame, Joints
@@ -60,7 +61,7 @@ def expanded(doc: Document) -> tuple[Document, list[Flaw]]:
     if any(one.fault for one in found):
         return doc, found
     lies = _as_it_lies(doc, places)
-    parts, wrong = understand(lies)
+    parts, wrong = understand(at_one_speed(lies))
     wrong += [*references.name_faults(lies, lambda text: ""), *contradictions(parts)]
     if any(one.fault for one in wrong) or parts.frame is None or parts.drive is None:
         return lies, found
