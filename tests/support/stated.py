@@ -306,9 +306,14 @@ class Equations:
             self.known[f"|{names[0]}|" if "|" in first else names[0]] = value
 
 
+_SLOWNESS = re.compile(r"1/\\omega *_\{m\}")
+"""What a graph of 1/ω_m shows: one figure by that name."""
+
+
 def _plain(formula: str) -> str:
     """Return a formula in TeX's signs, with points in figures, and figures with a power of ten as one."""
     formula = re.sub(r"(?<=\d)(?:\{,\}|,)(?=\d)", ".", with_tan(formula))
+    formula = _SLOWNESS.sub(r"\\sigma _{m}", formula)
     formula = re.sub(r"[⁻⁰¹²³⁴-⁹]+", lambda found: f"^{{{found[0].translate(_RAISED)}}}", formula)
     formula = _BOXED.sub(r"\\boxed_{\1}", formula).translate(_PLAIN)
     return _TEN.sub(_in_full, _CALLED.sub(r"\\mathrm{\1} ", formula))
