@@ -189,6 +189,7 @@ PARTS: dict[str, str] = {
     "point": said("points"),
     "pole": said("poles"),
     "rim": said("rims"),
+    "polygon": said("sides of the polygon of links"),
     "ring": said("ring gears"),
     "roller": said("rollers"),
     "sense": said("senses of rotation"),
