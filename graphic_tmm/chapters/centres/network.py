@@ -172,7 +172,7 @@ class Network:
             return None
         if np.nanmax(sine) <= SAME:
             off = np.abs(wedge(second.at - first.at, first.along))[0]
-            return (1.0, True) if np.nanmax(off) > SAME * self.size else None
+            return (1.0, True) if np.nanmax(off, initial=0.0) > SAME * self.size else None
         own = np.broadcast_to(sine, (max(sine.size, max(self.places) + 1),))[self.places]
         score = float(np.mean(np.nan_to_num(np.minimum(own, SQUARE)))) / SQUARE
         return (score, False) if score > SURE else None
