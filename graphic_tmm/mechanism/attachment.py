@@ -7,14 +7,14 @@ that is driven out of its cylinder is one link with it while its group is looked
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from heapq import heappop, heappush
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.driven import Driven
-from graphic_tmm.mechanism.groups import Group, Kind, Leg, Pair
+from graphic_tmm.mechanism.groups import AssurGroup, Group, Kind, Leg, Pair, PlateGroup
 from graphic_tmm.mechanism.records import Link, Mechanism, Slide
 
 
@@ -47,11 +47,11 @@ class Attachment:
             self._enter(number)
         self._look(tuple(self.left))
 
-    def attach(self, group: Group) -> list[int]:
+    def attach(self, group: AssurGroup) -> list[int]:
         """Put a group to what is there; return its links, the rod of a cylinder behind it."""
-        return self.stand(
-            [number for leg in group.legs for number in (leg.link, *self._rod(leg.link))]
-        )
+        plate = [group.plate] if isinstance(group, PlateGroup) else []
+        legs = [number for leg in group.legs for number in (leg.link, *self._rod(leg.link))]
+        return self.stand([*legs, *plate])
 
     def stand(self, links: list[int]) -> list[int]:
         """Count links to what is there; return them."""
@@ -64,8 +64,8 @@ class Attachment:
         """Return the rod that runs out of a cylinder."""
         return [self.rods[cylinder]] if cylinder in self.rods else []
 
-    def next(self) -> Group | None:
-        """Return the group with the smallest numbers of those that can come; None if none can."""
+    def next(self) -> AssurGroup | None:
+        """Return the group with the smallest numbers of those that can come, those of two links before."""
         while self.waiting:
             first, second = heappop(self.waiting)
             if not (self._ready(first) and self._ready(second)):
@@ -75,7 +75,40 @@ class Attachment:
                 legs = self.outer[first][0], self.outer[second][0]
                 found = _group(*legs, inner[0], first, second)
                 return found._replace(rods=tuple(k for n in (first, second) for k in self._rod(n)))
-        return None
+        return next(self._plates(), None)
+
+    def _plates(self) -> Iterator[PlateGroup]:
+        """Yield the plates that three links hold which are held by what is there."""
+        for plate in sorted(number for number in self.left if not self.outer[number]):
+            held = [(n, self._inner(n, plate)) for n in sorted(self.left) if self._ready(n)]
+            legs = [(number, inner[0]) for number, inner in held if len(inner) == 1]
+            if len(legs) == 3:
+                yield self._plate(plate, legs)
+
+    def _plate(self, plate: int, found: Sequence[tuple[int, Pair]]) -> PlateGroup:
+        sliding = [number for number, inner in found if inner.kind == "P"]
+        guides = [number for number, _ in found if self.outer[number][0].kind == "P"]
+        if sliding or len(guides) == 3:
+            raise StructureError(
+                said(
+                    "links {names} and {plate} make a group of class III: this board draws it where each of "
+                    "the three has a turning pair with link {plate}, and one of them turns about what stands "
+                    "already; links {listed} do not",
+                    names=", ".join(str(number) for number, _ in found),
+                    plate=plate,
+                    listed=", ".join(map(str, sliding or guides)),
+                ),
+                *(f"link {number}, slides" for number in sliding or guides),
+            )
+        first, second, third = sorted(found, key=lambda one: (one[0] in guides, one[0]))
+        legs = tuple(
+            Leg(number, self.outer[number][0].other(number), self.outer[number][0])
+            for number, _ in (first, second, third)
+        )
+        rods = tuple(
+            rod for number in sorted((plate, *(n for n, _ in found))) for rod in self._rod(number)
+        )
+        return PlateGroup(plate, (legs[0], legs[1], legs[2]), (first[1], second[1], third[1]), rods)
 
     def _ready(self, number: int) -> bool:
         """Whether a link that is left holds on to what is there by one pair."""

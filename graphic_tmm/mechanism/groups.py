@@ -60,15 +60,75 @@ class Group(NamedTuple):
         """The group as it stands in the formula of structure: "2-3"."""
         return "{}-{}".format(*self.links)
 
+    @property
+    def formula(self) -> str:
+        """What it is in the formula of structure: "II(2-3)"."""
+        return f"II({self.name})"
 
-def class_two(groups: Iterable[Group], room: str) -> Iterator[Group]:
+    @property
+    def pairs(self) -> int:
+        """How many pairs it has."""
+        return 3
+
+
+class PlateGroup(NamedTuple):
+    """An Assur group of class III and order 3: a plate on three legs, each held by what is there already.
+
+    ``inner``: the turning pair of each leg with the plate. The legs that turn come first.
+    """
+
+    plate: int
+    legs: tuple[Leg, Leg, Leg]
+    inner: tuple[Pair, Pair, Pair]
+    rods: tuple[int, ...] = ()
+
+    @property
+    def links(self) -> tuple[int, ...]:
+        """The plate and its legs, the smallest number first."""
+        return tuple(sorted((self.plate, *(leg.link for leg in self.legs))))
+
+    @property
+    def name(self) -> str:
+        """The group as it stands in the formula of structure: "2-3-4-5"."""
+        return "-".join(map(str, self.links))
+
+    @property
+    def formula(self) -> str:
+        """What it is in the formula of structure: "III(2-3-4-5)"."""
+        return f"III({self.name})"
+
+    @property
+    def pairs(self) -> int:
+        """How many pairs it has."""
+        return 6
+
+
+AssurGroup = Group | PlateGroup
+"""A group of any class that this board draws."""
+
+
+def class_two(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
     """Yield groups in the order of attachment; StructureError of one that a room does not treat."""
     for group in groups:
-        match group.kind:
-            case 1 | 2 | 3 | 4 | 5:
+        match group:
+            case Group(kind=1 | 2 | 3 | 4 | 5):
                 yield group
+            case PlateGroup():
+                raise StructureError(
+                    said(
+                        "group {name} is of class III, of which this is not drawn: leave it out",
+                        name=group.name,
+                    ),
+                    *(f"link {number}" for number in group.links),
+                    head=room,
+                )
             case _:
                 untreated(group.kind, group, room)
+
+
+def of_class_two(groups: Iterable[AssurGroup]) -> Iterator[Group]:
+    """Yield the groups of two links: each has a side of its own."""
+    return (group for group in groups if isinstance(group, Group))
 
 
 def untreated(kind: Never, group: Group, room: str) -> NoReturn:

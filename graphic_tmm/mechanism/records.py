@@ -57,6 +57,17 @@ class Slide:
 
 
 @dataclass(frozen=True)
+class Near:
+    """Which of its places a plate on three legs keeps: near this direction of its own x axis, degrees.
+
+    ``at``: the coordinate of the first drive there (degrees, or m of what slides); None: where its row begins.
+    """
+
+    angle: float
+    at: float | None = None
+
+
+@dataclass(frozen=True)
 class Arm:
     """An arm of a link: the number it was given by, its letters, the letter it is welded at.
 
@@ -88,6 +99,7 @@ class Link:
     side: Side | None = None
     rod: float | None = None
     arms: tuple[Arm, ...] = ()
+    near: Near | None = None
 
 
 @dataclass(frozen=True)

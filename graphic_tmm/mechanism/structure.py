@@ -13,7 +13,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.attachment import Attachment
 from graphic_tmm.mechanism.driven import Driven, driven_pairs
-from graphic_tmm.mechanism.groups import Group, Pair, class_two
+from graphic_tmm.mechanism.groups import AssurGroup, Pair
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.wheels import Rolling, bearers, in_order, meshing, rolling
 
@@ -28,7 +28,7 @@ class Structure(NamedTuple):
     moving: int
     pairs: tuple[Pair, ...]
     driven: tuple[Driven, ...]
-    groups: tuple[Group, ...]
+    groups: tuple[AssurGroup, ...]
     origin: str
     wheels: tuple[Rolling, ...] = ()
 
@@ -43,18 +43,16 @@ class Structure(NamedTuple):
         return 3 * self.moving - 2 * len(self.pairs) - len(self.wheels)
 
     @property
-    def attached(self) -> Iterator[Group | Rolling]:
+    def attached(self) -> Iterator[AssurGroup | Rolling]:
         """Groups and wheels in the order of attachment."""
-        groups = tuple(class_two(self.groups, "formula"))
-        return in_order(groups, self.wheels, [one.after for one in self.wheels])
+        return in_order(self.groups, self.wheels, [one.after for one in self.wheels])
 
     @property
     def formula(self) -> str:
         """The formula of structure, groups in order of attachment."""
         initial = ", ".join(f"I({one.name})" for one in self.driven)
         groups = (
-            f"II({one.name})" if isinstance(one, Group) else f"p4({one.name})"
-            for one in self.attached
+            f"p4({one.name})" if isinstance(one, Rolling) else one.formula for one in self.attached
         )
         return " → ".join([initial, *groups])
 
@@ -97,7 +95,7 @@ def dissect(mechanism: Mechanism) -> Structure:
     mobility = count(mechanism).mobility
     if mobility != len(driven):
         raise _unequal(mechanism, pairs, mobility)
-    groups: list[Group] = []
+    groups: list[AssurGroup] = []
     known = [mechanism.frame.number, *(one.link for one in driven if not one.telescopes)]
     attachment = Attachment(mechanism, known, [one for one in driven if one.telescopes])
     wheels: list[Rolling] = []

@@ -14,6 +14,7 @@ from graphic_tmm.mechanism.records import (
     Link,
     Mechanism,
     Mesh,
+    Near,
     Row,
     Side,
     Slide,
@@ -196,6 +197,7 @@ def _link(table: m.Link, bodies: dict[int, m.Frame | m.Link], frame: int) -> Lin
         inertia=_inertia(table),
         side=side,
         rod=table.rod,
+        near=None if table.near is None else Near(table.near, table.near_at),
     )
 
 

@@ -168,6 +168,18 @@ class Link:
     flips_at: tuple[float, ...] | None = key(
         v.ANGLES, "crank angles at which the side changes", ["90 deg"], None
     )
+    near: float | None = key(
+        v.ANGLE,
+        "of a plate on three links, which of its places is meant: the direction of its own x axis there",
+        "-114 deg",
+        None,
+    )
+    near_at: float | None = key(
+        c.COORDINATE,
+        "where the first drive stands then, if not where its sweep begins",
+        "40 deg",
+        None,
+    )
     weld: Weld | None = key(
         DeclaredTable(Weld),
         "it is an arm of another link, welded to it at the letter that both have",

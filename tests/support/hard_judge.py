@@ -24,7 +24,7 @@ from graphic_tmm.board.findings import Finding, examine
 from graphic_tmm.board.geometry import EPS
 from graphic_tmm.board.operations.instruments import cylinder_axis, rocker_line
 from graphic_tmm.board.values import Arc
-from graphic_tmm.chapters.kinematics.bodies import PinLeg
+from graphic_tmm.chapters.kinematics.closings import PinLeg
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.mechanism.records import Mechanism
 from support import oracle

@@ -12,7 +12,8 @@ from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.balance import words as why
 from graphic_tmm.chapters.balance.task import BALANCE, COUNTERWEIGHTS, OPPOSITE, Counterweight
-from graphic_tmm.chapters.kinematics.bodies import PinLeg, dyads, incline_by
+from graphic_tmm.chapters.kinematics.bodies import incline_by
+from graphic_tmm.chapters.kinematics.closings import PinLeg, dyads
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS

@@ -28,7 +28,12 @@ from graphic_tmm.chapters.balance.task import (
     BalanceTask,
     Counterweight,
 )
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg, dyads
+from graphic_tmm.chapters.kinematics.closings import (
+    Closing,
+    GuideLeg,
+    PinLeg,
+    dyads,
+)
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.chapters.rotors import formulas as rotors

@@ -27,7 +27,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Line
 from graphic_tmm.chapters.centres import formulas as f
 from graphic_tmm.chapters.centres import words as why
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, incline_by
+from graphic_tmm.chapters.kinematics.bodies import incline_by
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans

@@ -14,7 +14,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.centrodes import operations as o
 from graphic_tmm.chapters.centrodes import words as why
 from graphic_tmm.chapters.centrodes.task import ASKED, CENTRODES, CentrodesTask
-from graphic_tmm.chapters.kinematics.bodies import Body, outer_guides
+from graphic_tmm.chapters.kinematics.bodies import Body
+from graphic_tmm.chapters.kinematics.closings import outer_guides
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.errors import StructureError

@@ -30,7 +30,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.diagrams import words as why
 from graphic_tmm.chapters.diagrams.task import ASKED, BASE, DIAGRAMS, VIEWS, KinematicTask, settled
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions, sliding_points
+from graphic_tmm.chapters.kinematics.bodies import Positions, sliding_points
+from graphic_tmm.chapters.kinematics.closings import GuideLeg
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.positions import VIEW as POSITIONS

@@ -27,7 +27,7 @@ from graphic_tmm.chapters.engine.formulas import (
 from graphic_tmm.chapters.engine.task import HARMONICS as VIEW
 from graphic_tmm.chapters.engine.task import EngineTask
 from graphic_tmm.chapters.indicator.plan import Machine
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.masses import inertia_of

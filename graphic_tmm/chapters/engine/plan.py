@@ -38,7 +38,7 @@ from graphic_tmm.chapters.engine.formulas import (
 from graphic_tmm.chapters.engine.masses import Harmonics, Lumped, draw_harmonics, lump
 from graphic_tmm.chapters.engine.task import ASKED, ENGINE, VIEW, EngineTask
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder, Machine, machine_of
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, dyads
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg, dyads
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.errors import StructureError

@@ -22,7 +22,8 @@ from graphic_tmm.chapters.forces.detached import Reaction
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.statics import Slope, links_of
 from graphic_tmm.chapters.forces.task import Friction
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, Positions, dyads
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.closings import AnyClosing, Closing, GuideLeg, dyads
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, reach
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
@@ -67,7 +68,7 @@ def guide_leg(joint: Joint) -> GuideLeg:
     )
 
 
-def joints(closings: tuple[Closing, ...], pairs: Iterable[DrivenPair]) -> tuple[Joint, ...]:
+def joints(closings: tuple[AnyClosing, ...], pairs: Iterable[DrivenPair]) -> tuple[Joint, ...]:
     """Return all pairs of a mechanism; ``pairs``: its drives."""
     there = (one for one in pairs if not one.driven.telescopes)
     found = [Joint(one.pair, one.pair.links, None, one) for one in there]

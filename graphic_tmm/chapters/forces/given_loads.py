@@ -22,7 +22,7 @@ from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
 from graphic_tmm.chapters.forces.task import AGAINST, SAME_TIME, TURN, Load
 from graphic_tmm.chapters.forces.travel import by_travel, size_at_turn, size_in_row
-from graphic_tmm.chapters.kinematics.bodies import dyads
+from graphic_tmm.chapters.kinematics.closings import dyads
 from graphic_tmm.chapters.kinematics.motion import image_letter, is_signed, reading_of
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said

@@ -30,8 +30,9 @@ from graphic_tmm.board.values import Number, Point
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.kinematics.bodies import PinLeg, Positions, legs_of
+from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.by_drive import ByDrive
+from graphic_tmm.chapters.kinematics.closings import PinLeg, legs_of
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion, pivot_image

@@ -34,7 +34,8 @@ from graphic_tmm.chapters.forces.wheels import (
     solve_wheel,
 )
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder
-from graphic_tmm.chapters.kinematics.bodies import Meshed, dyads
+from graphic_tmm.chapters.kinematics.bodies import Meshed
+from graphic_tmm.chapters.kinematics.closings import Closing, dyads
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
@@ -297,13 +298,14 @@ def _solve(
     for couple in (*loads.couples, *rubbing.couples):
         acting.add(couple)
     groups = list[Solved | SolvedWheel]()
-    for closing in reversed(tuple(attached(ground.positions, FORCES))):
+    for closing in reversed(tuple(attached(ground.positions))):
         if isinstance(closing, Meshed):
             of = Solution((closing.leg.link,), tried)
             wheel = solve_wheel(figures.of(closing.leg.link), closing, acting, of)
             hand_on_wheel(wheel, acting, frame, figures.of)
             groups.append(wheel)
             continue
+        assert isinstance(closing, Closing)
         solved = solve_group(
             figures.of(closing.legs[0].link),
             closing,

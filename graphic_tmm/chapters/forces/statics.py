@@ -17,7 +17,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Chain, Detached, Pair, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
-from graphic_tmm.chapters.kinematics.bodies import (
+from graphic_tmm.chapters.kinematics.closings import (
     Closing,
     ClosingLeg,
     GuideLeg,

@@ -29,7 +29,7 @@ from graphic_tmm.board.values import Angle, Length, Number, Point
 from graphic_tmm.chapters.indicator import words as why
 from graphic_tmm.chapters.indicator.stretches import Row, by_stretches, indexed
 from graphic_tmm.chapters.indicator.task import VIEW, Gas, IndicatorTask
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 

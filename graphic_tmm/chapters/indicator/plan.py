@@ -26,7 +26,8 @@ from graphic_tmm.chapters.indicator.swinging import (
     swinging_of,
 )
 from graphic_tmm.chapters.indicator.task import INDICATOR, TURN, IndicatorTask, Wish
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, Positions
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg
 from graphic_tmm.chapters.kinematics.dead_centres import (
     Slider,
     dead_centre,

@@ -19,13 +19,8 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.indicator import words as why
 from graphic_tmm.chapters.indicator.task import INDICATOR
-from graphic_tmm.chapters.kinematics.bodies import (
-    GuideLeg,
-    PinLeg,
-    Positions,
-    dyads,
-    sliding_points,
-)
+from graphic_tmm.chapters.kinematics.bodies import Positions, sliding_points
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg, dyads
 from graphic_tmm.chapters.kinematics.dyads import rocker_offset
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.errors import StructureError

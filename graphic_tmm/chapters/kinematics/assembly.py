@@ -16,7 +16,7 @@ from graphic_tmm.board.grammar import Gap
 from graphic_tmm.board.operations.locus import narrow
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Reals
-from graphic_tmm.chapters.kinematics.bodies import dyads
+from graphic_tmm.chapters.kinematics.closings import of_two_links
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.winding import STEPS
@@ -75,7 +75,7 @@ class Assembly(NamedTuple):
 def closures(survey: Survey) -> tuple[Closure, ...]:
     """Return the steps that close the groups, with their gaps."""
     found = []
-    for closing in dyads(survey.positions.closings, "assembly"):
+    for closing in of_two_links(survey.positions.closings):
         step = survey.construction.step(closing.root)
         assert step is not None
         found += [Closure(closing.group, step, gap) for gap in step.op.gaps]
@@ -102,6 +102,10 @@ def check_assembly(survey: Survey, ends: tuple[float, float] | None = None) -> A
     angles, turned = survey.whole(
         mark for each in closing.values() for closure in each for mark in closure.step.uses
     )
+    for name, branch in survey.branches.items():
+        if not branch.whole:
+            names.append(name)
+            critical += [survey.sweep.within(float(end)) for end in branch.at[[0, -1]]]
     for group in survey.structure.groups:
         touched: list[float] = []
         partly = False
@@ -116,7 +120,7 @@ def check_assembly(survey: Survey, ends: tuple[float, float] | None = None) -> A
             touched += [angle for angle, room in lows if abs(room) <= CHANGE * size]
         if partly:
             names.append(group.name)
-        if group.kind < 4:
+        if isinstance(group, Group) and group.kind < 4:
             _refuse_sides(survey, group, _apart(touched), ends)
     ranges = _ranges(survey, critical) if names else []
     return Assembly(tuple(ranges), tuple(names), survey.sweep)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple, Never, NoReturn
+from typing import Any, NamedTuple
 
 from graphic_tmm.board.draft import ROUNDING, Draft
 from graphic_tmm.board.operations.instruments import (
@@ -17,9 +17,14 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.errors import ConstructionError, StructureError
-from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import Group, Pair, class_two
+from graphic_tmm.chapters.kinematics.closings import (
+    AnyClosing,
+    GuideLeg,
+    PinLeg,
+    outer_guides,
+)
+from graphic_tmm.errors import ConstructionError
+from graphic_tmm.mechanism.groups import Pair
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Arm, Link, Slide
 from graphic_tmm.mechanism.wheels import Rolling
@@ -65,76 +70,6 @@ class Body:
 
 def _without_board() -> Mark:
     raise ConstructionError("the axis of a link can be drawn only where its board is")
-
-
-class Closing(NamedTuple):
-    """What a group leaves for the other plans: the closing point Q (with its letter) and its two legs.
-
-    ``root`` is the mark in which the group was closed: where two loci met, or the line of a rocker.
-    """
-
-    group: Group
-    letter: str
-    point: Mark
-    root: Mark
-    legs: tuple[PinLeg | GuideLeg, PinLeg | GuideLeg]
-
-    @property
-    def image_letter(self) -> str:
-        """The letter of Q's image: "b", or "a3" where Q is the point of link 3 over the pivot A."""
-        small = self.letter.lower()
-        return f"{small}{self.legs[1].link}" if self.group.kind in (3, 5) else small
-
-    def at(self, leg: ClosingLeg) -> Mark:
-        """Return where what a leg holds acts: at its pivot, or at the closing point."""
-        match leg:
-            case PinLeg():
-                return leg.pivot
-            case GuideLeg():
-                return self.point
-            case _:
-                unheld(leg, "forces")
-
-
-class PinLeg(NamedTuple):
-    """T: link ``link`` turns on ``body`` about ``pivot``; the line and the length from there to Q.
-
-    ``rod``: the rod that is driven out of that link, a cylinder, and makes it longer; 0 where it is rigid;
-    ``turned``: whether the rod is what turns about the pivot, and the cylinder ends at Q.
-    """
-
-    link: int
-    body: int
-    letter: str
-    pivot: Mark
-    line: Mark
-    length: Mark
-    rod: int = 0
-    turned: bool = False
-
-    @property
-    def links(self) -> tuple[int, ...]:
-        """Its link, and the rod that is driven out of it: as they lie from the pivot to Q."""
-        if not self.rod:
-            return (self.link,)
-        return (self.rod, self.link) if self.turned else (self.link, self.rod)
-
-
-class GuideLeg(NamedTuple):
-    """S: link ``link`` slides on ``body`` along ``line``. I (``inner``): Q slides off its pivot on ``body``.
-
-    ``on``: the link that is slid on.
-    """
-
-    link: int
-    body: int
-    line: Mark
-    inner: bool
-    on: int
-
-
-ClosingLeg = PinLeg | GuideLeg
-"""How a link of a group is held by what is there already."""
 
 
 class Passive(NamedTuple):
@@ -183,7 +118,7 @@ class Positions:
     """
 
     bodies: dict[int, Body]
-    closings: tuple[Closing, ...]
+    closings: tuple[AnyClosing, ...]
     sides: dict[str, Mark]
     row: tuple[Mark, ...]
     passive: tuple[Passive, ...] = ()
@@ -201,48 +136,12 @@ class Positions:
         return next((fixed[k] for marks in held for k in marks if k in fixed), None)
 
 
-def dyads(closings: Iterable[Closing], room: str) -> Iterator[Closing]:
-    """Yield groups of two legs in the order of attachment; StructureError of one that a room does not treat."""
-    closings = tuple(closings)
-    groups = class_two((closing.group for closing in closings), room)
-    for closing, _ in zip(closings, groups, strict=True):
-        for leg in closing.legs:
-            match leg:
-                case PinLeg() | GuideLeg():
-                    pass
-                case _:
-                    unheld(leg, room)
-        yield closing
-
-
-def legs_of(closings: Iterable[Closing], room: str) -> Iterator[tuple[Closing, ClosingLeg]]:
-    """Yield the legs of all groups, each beside its group."""
-    return ((closing, leg) for closing in dyads(closings, room) for leg in closing.legs)
-
-
-def outer_guides(closings: Iterable[Closing], room: str) -> Iterator[tuple[Closing, GuideLeg]]:
-    """Yield the legs that slide on what is there already, each beside its group."""
-    for closing, leg in legs_of(closings, room):
-        if isinstance(leg, GuideLeg) and not leg.inner:
-            yield closing, leg
-
-
 def sliding_points(
-    closings: Iterable[Closing], bodies: Mapping[int, Body], frame: int, room: str
+    closings: Iterable[AnyClosing], bodies: Mapping[int, Body], frame: int, room: str
 ) -> list[tuple[str, GuideLeg]]:
     """Return the points of links that slide on the frame, each with the leg by which it does."""
     guides = [leg for _, leg in outer_guides(closings, room) if leg.body == frame]
     return [(point, leg) for leg in guides for point in bodies[leg.link].link.points]
-
-
-def unheld(leg: Never, room: str) -> NoReturn:
-    """Refuse a leg of a kind that a room does not treat: mypy sees that none of the kinds comes here."""
-    link, kind = getattr(leg, "link", "?"), type(leg).__name__
-    raise StructureError(
-        said("link {link} is held in a way that is not treated here: {kind}", link=link, kind=kind),
-        f"link {link}",
-        head=room,
-    )
 
 
 def off_axis(body: Body, point: complex) -> tuple[float, float]:
@@ -347,9 +246,3 @@ def draw_guide(draft: Draft, body: Body, pair: Pair, levelled: float, name: str)
     return draft.draw(
         shift, f"({name})", inclined, draft.length(f"h_{{{name}}}", by), why=why.SLIDER_PATH
     )
-
-
-def pair_of(closing: Closing, leg: GuideLeg) -> Pair:
-    """Return the sliding pair of a leg."""
-    group = closing.group
-    return group.inner if leg.inner else next(k.pair for k in group.legs if k.link == leg.link)

@@ -16,7 +16,8 @@ from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.closings import GuideLeg
 from graphic_tmm.chapters.kinematics.courses import Course, redrawn
 from graphic_tmm.chapters.kinematics.extremes import (
     Wanted,
@@ -27,6 +28,7 @@ from graphic_tmm.chapters.kinematics.extremes import (
 )
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
+from graphic_tmm.mechanism.groups import Group
 from graphic_tmm.mechanism.records import Extreme
 
 ASIDE = 1.0
@@ -93,7 +95,8 @@ def draw_dead_centres(
     group = next(c.group for c in positions.closings if slider.leg in c.legs)
     rod = group.legs[0]
     simple = (
-        group.kind == 2
+        isinstance(group, Group)
+        and group.kind == 2
         and len(survey.pairs) == 1
         and survey.sweep.closed
         and slider.point == group.inner.name
@@ -106,7 +109,7 @@ def draw_dead_centres(
         known, name = draft.board.construction().roles(VIEW, role), draft.board.free(name)
         if known:
             drawn += known[:1]
-        elif simple:
+        elif simple and isinstance(group, Group):
             end = slider_end(draft, survey, frame, group, choice, (name, sign), role)
             drawn.append(end[0])
         else:

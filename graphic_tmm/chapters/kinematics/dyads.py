@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
+from dataclasses import dataclass
 
 from graphic_tmm.board.draft import ROUNDING, Draft
 from graphic_tmm.board.operations.formulas import to_board
@@ -30,21 +30,20 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
-    Closing,
-    GuideLeg,
-    PinLeg,
     draw_guide,
     incline_by,
     stand,
 )
+from graphic_tmm.chapters.kinematics.closings import Closing, GuideLeg, PinLeg
 from graphic_tmm.mechanism.driven import sliding_pair
 from graphic_tmm.mechanism.groups import Group, Leg, Pair, untreated
 from graphic_tmm.mechanism.guides import direction, level, turn
 from graphic_tmm.mechanism.records import Link
 
 
-class Site(NamedTuple):
-    """Where a group is attached: the board, the bodies that stand there, the group, its links, its side.
+@dataclass(frozen=True)
+class Ground:
+    """What groups are attached to: the board, the bodies that stand there.
 
     ``letters``: those of the scene, which no point that the plan needs besides may bear. ``lengths``: how long
     a leg is at the moment whose rod, of this number, is driven out of its cylinder, m; ``rods``: those
@@ -53,12 +52,9 @@ class Site(NamedTuple):
 
     draft: Draft
     bodies: dict[int, Body]
-    group: Group
-    links: tuple[Link, Link]
-    side: Mark | None
     letters: frozenset[str]
-    lengths: Mapping[int, Mark] = {}
-    rods: tuple[Link, ...] = ()
+    lengths: Mapping[int, Mark]
+    rods: tuple[Link, ...]
 
     def pivot(self, leg: Leg) -> Mark:
         """Return the mark of a leg's outer pivot."""
@@ -147,6 +143,15 @@ class Site(NamedTuple):
         body = Body(link, own, direction(pair, link.number), axis)
         stand(body, letter, mark, own)
         self.bodies[link.number] = body
+
+
+@dataclass(frozen=True)
+class Site(Ground):
+    """Where a group of two links is attached: what it is attached to, the group, its links, its side."""
+
+    group: Group
+    links: tuple[Link, Link]
+    side: Mark | None
 
 
 def _rrr(site: Site) -> Closing:

@@ -30,7 +30,7 @@ from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.chapters.kinematics.winding import STEPS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import Said, said
-from graphic_tmm.mechanism.groups import Group
+from graphic_tmm.mechanism.groups import Group, of_class_two
 from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Extreme, Sweep
 
@@ -80,10 +80,10 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, wanted: Wanted, tag:
     draft.open(VIEW)
     if draft.board.construction().view(VIEW) is None:
         draft.lay_out(frame.marks[survey.structure.origin], draft.mu_l)
-    group = survey.structure.groups[0]
+    group = next(of_class_two(survey.structure.groups[:1]), None)
     alone = len(survey.pairs) == 1 and survey.sweep.turns
-    draw = _CONSTRUCTIONS.get(group.kind) if alone else None
-    if draw is not None and _on_crank_and_frame(survey, group):
+    draw = _CONSTRUCTIONS.get(group.kind) if alone and group else None
+    if draw is not None and group is not None and _on_crank_and_frame(survey, group):
         for choice in (1, -1):
             probe = Draft()
             angle = _probe(probe, survey, frame, choice)
@@ -255,13 +255,18 @@ def _on_crank_and_frame(survey: Survey, group: Group) -> bool:
     )
 
 
+def _first(survey: Survey) -> Group:
+    """Return the first group, of two links."""
+    return next(of_class_two(survey.structure.groups))
+
+
 def _probe(probe: Draft, survey: Survey, frame: Body, choice: int) -> float:
     """Run the drawing-board construction on a small board of its own; return the angle, degrees."""
     from graphic_tmm.chapters.kinematics.positions import draw_frame
 
     own = draw_frame(probe, survey.mechanism, survey.structure)
     probe.board.open(VIEW)
-    group = survey.structure.groups[0]
+    group = _first(survey)
     mark = _CONSTRUCTIONS[group.kind](probe, survey, own, choice, "0")
     log = probe.board.construction()
     return float(execute(log, probe.given | {probe.mu_l: 1.0}, [mark])[mark][0, 0])
@@ -307,7 +312,7 @@ def _in_line(
 
 
 def _slider(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
-    group = survey.structure.groups[0]
+    group = _first(survey)
     name = f"{group.inner.name}_{{{tag}}}"
     found, longer = slider_end(draft, survey, frame, group, choice, (name, tag))
     return _in_line(draft, survey, found, frame, choice, longer, tag)
@@ -344,7 +349,7 @@ def slider_end(
 
 
 def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
-    group = survey.structure.groups[0]
+    group = _first(survey)
     opening, _, inner, longer = _reach(draft, survey, group, choice)
     pivot = frame.marks[survey.structure.origin]
     because = why.STRETCHED if choice > 0 else why.FOLDED
@@ -364,7 +369,7 @@ def _rocker(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) ->
 
 
 def _stone(draft: Draft, survey: Survey, frame: Body, choice: int, tag: str) -> Mark:
-    group, structure = survey.structure.groups[0], survey.structure
+    group, structure = _first(survey), survey.structure
     crank = survey.mechanism.by_number[structure.first.link]
     pivot, pin = structure.origin, structure.first.pin
     length = draft.length(f"{pivot}{pin}", abs(crank.points[pin] - crank.points[pivot]))

@@ -6,13 +6,13 @@ from collections.abc import Iterable
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.record import Figure, Mark
-from graphic_tmm.chapters.kinematics.bodies import (
-    Body,
-    Closing,
+from graphic_tmm.chapters.kinematics.bodies import Body, nearest
+from graphic_tmm.chapters.kinematics.closings import (
+    AnyClosing,
     GuideLeg,
     PinLeg,
+    PlateClosing,
     legs_of,
-    nearest,
     pair_of,
 )
 from graphic_tmm.mechanism.groups import Pair
@@ -43,7 +43,7 @@ def tell_group(
     draft: Draft,
     mechanism: Mechanism,
     bodies: dict[int, Body],
-    closing: Closing,
+    closing: AnyClosing,
     side: Mark | None,
 ) -> None:
     """Tell the links of a group, its guides and what slides on them.
@@ -55,6 +55,8 @@ def tell_group(
         tell_link(draft, mechanism, bodies[leg.link])
         if isinstance(leg, PinLeg) and leg.rod:
             tell_link(draft, mechanism, bodies[leg.rod])
+    if isinstance(closing, PlateClosing):
+        tell_link(draft, mechanism, bodies[closing.group.plate])
     for leg in closing.legs:
         if isinstance(leg, PinLeg):
             if leg.rod:
@@ -66,11 +68,11 @@ def tell_group(
         tell_slide(draft, mechanism, pair, at, leg.line, *turning)
 
 
-def _tell_rod(draft: Draft, bodies: dict[int, Body], closing: Closing, leg: PinLeg) -> None:
+def _tell_rod(draft: Draft, bodies: dict[int, Body], closing: AnyClosing, leg: PinLeg) -> None:
     """Tell a rod that is driven out of its cylinder: by its pin and the line of both."""
     rod = bodies[leg.rod]
     (slide,) = rod.link.slides
-    pin = next(mark for mark in (leg.pivot, closing.point) if mark in rod.marks.values())
+    pin = next(mark for mark in (leg.pivot, closing.pin(leg)) if mark in rod.marks.values())
     draft.figure("piston", str(leg.rod), pin, leg.line)
     draft.figure(slide.cylinder or CONTENTS[0], str(leg.link), pin, leg.line)
     draft.figure("guide", str(leg.link), pin, leg.line)
@@ -89,14 +91,14 @@ def tell_slide(
     draft.figure("guide", str(owner), at, line, *turning)
 
 
-def _stone(bodies: dict[int, Body], closing: Closing, leg: GuideLeg, slider: int) -> Mark:
+def _stone(bodies: dict[int, Body], closing: AnyClosing, leg: GuideLeg, slider: int) -> Mark:
     """Return the point of the sliding link at which its slider or stone is drawn."""
     if slider == leg.link:
-        return closing.point if leg.inner else closing.root
+        return closing.point if leg.inner else closing.slid(leg)
     if leg.inner:
-        return closing.root
+        return closing.slid(leg)
     pair, held, body = pair_of(closing, leg), bodies[leg.link], bodies[leg.on]
-    letter = next(k for k, mark in held.marks.items() if mark == closing.root)
+    letter = next(k for k, mark in held.marks.items() if mark == closing.slid(leg))
     return body.marks[
         nearest(body.link.number, body.own, pair, level(pair, leg.link, held.own[letter]))
     ]

@@ -1,4 +1,4 @@
-"""What is calculated of wheels on links: their ratio, the angle to which a wheel has rolled."""
+"""What is calculated of plates, and of wheels on links: their ratio, the angle to which a wheel has rolled."""
 
 from __future__ import annotations
 
@@ -29,6 +29,16 @@ def external_ratio(other: Number, own: Number) -> Number:
 )
 def internal_ratio(other: Number, own: Number) -> Number:
     """{other}/{own}"""
+
+
+@formula(
+    why=said(
+        "The link turns at {omega}, so each of its points has the normal acceleration ω²·l about another, on "
+        "the plan divided by {mu_a}."
+    )
+)
+def normal_at(omega: Number, apart: Length, mu_l: Number, mu_a: Number) -> Length:
+    """{omega}²·{apart}·{mu_l}/{mu_a}"""
 
 
 _SHARES = said(

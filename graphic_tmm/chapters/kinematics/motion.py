@@ -18,14 +18,13 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Construction, Mark, Step, between
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import (
-    Body,
+from graphic_tmm.chapters.kinematics.bodies import Body, Meshed, Positions
+from graphic_tmm.chapters.kinematics.closings import (
+    AnyClosing,
     Closing,
     ClosingLeg,
     GuideLeg,
-    Meshed,
     PinLeg,
-    Positions,
     outer_guides,
     unheld,
 )
@@ -202,14 +201,16 @@ def pivot_image(plan: Motion, leg: PinLeg) -> Mark:
     return plan.images.of(leg.body, leg.pivot, leg.letter, image_letter(leg.letter))
 
 
-def known_image(plan: Motion, closing: Closing, leg: ClosingLeg) -> Mark:
+def known_image(plan: Motion, closing: AnyClosing, leg: ClosingLeg) -> Mark:
     """Return the image that a leg starts from: of its pivot, or of the point of the body under Q."""
     match leg:
         case PinLeg():
             return pivot_image(plan, leg)
         case GuideLeg():
-            shown = image_letter(closing.letter, leg.body)
-            return plan.images.of(leg.body, closing.point, closing.letter, shown)
+            letter = closing.pin_letter(leg)
+            return plan.images.of(
+                leg.body, closing.pin(leg), letter, image_letter(letter, leg.body)
+            )
         case _:
             unheld(leg, plan.images.pole.view)
 
@@ -217,44 +218,52 @@ def known_image(plan: Motion, closing: Closing, leg: ClosingLeg) -> Mark:
 def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark) -> None:
     """Enter both links of a group into the plan's images, complete them, and note rates they share.
 
-    A link that slides turns as what it slides on: the stone of kind 3 as the rocker, that of kind 5 as
-    the yoke.
+    The stone of kind 3 turns as the rocker, that of kind 5 as the yoke: they come after these.
     """
     plan.closed[closing.group.name] = point
     first, second = closing.legs
     inner_first = isinstance(first, GuideLeg) and first.inner
     for leg in (second, first) if inner_first else (first, second):
-        known = {}
-        match leg:
-            case PinLeg():
-                start = known_image(plan, closing, leg)
-                turned = plan.ends.get(leg.link, start)
-                base = Base(leg.pivot, closing.point, turned, point)
-                outer, inner = Hanging(leg.pivot, start, base), Hanging(closing.point, point, base)
-                hanging = outer
-                known[leg.letter] = start
-                if leg.rod:
-                    rod, first_of = positions.bodies[leg.rod], positions.bodies[leg.link]
-                    hanging, other = (inner, outer) if leg.turned else (outer, inner)
-                    known = {k: m for k, m in known.items() if k in first_of.link.points}
-                    ends = {leg.letter: start, closing.letter: point}
-                    plan.images.hang(
-                        rod, other, {k: m for k, m in ends.items() if k in rod.link.points}
-                    )
-                    plan.images.complete(rod)
-            case GuideLeg():
-                model = second.link if leg.inner else leg.body
-                at = known_image(plan, closing, leg) if leg.inner else point
-                hanging = Hanging(closing.point, at, plan.images.hanging[model].base)
-                if model in plan.rates:
-                    plan.rates[leg.link] = plan.rates[model]
-            case _:
-                unheld(leg, plan.images.pole.view)
-        body = positions.bodies[leg.link]
-        if closing.letter in body.link.points:
-            known[closing.letter] = hanging.image if hanging.anchor == closing.point else point
-        plan.images.hang(body, hanging, known)
-        plan.images.complete(body)
+        hang_leg(positions, plan, closing, leg, point)
+
+
+def hang_leg(
+    positions: Positions, plan: Motion, closing: AnyClosing, leg: ClosingLeg, point: Mark
+) -> None:
+    """Enter the links of a leg into the plan's images and complete them; ``point``: the image of its inner end.
+
+    A link that slides turns as what it slides on.
+    """
+    known, pin, letter = dict[str, Mark](), closing.pin(leg), closing.pin_letter(leg)
+    match leg:
+        case PinLeg():
+            start = known_image(plan, closing, leg)
+            turned = plan.ends.get(leg.link, start)
+            base = Base(leg.pivot, pin, turned, point)
+            outer, inner = Hanging(leg.pivot, start, base), Hanging(pin, point, base)
+            hanging = outer
+            known[leg.letter] = start
+            if leg.rod:
+                rod, first_of = positions.bodies[leg.rod], positions.bodies[leg.link]
+                hanging, other = (inner, outer) if leg.turned else (outer, inner)
+                known = {k: m for k, m in known.items() if k in first_of.link.points}
+                ends = {leg.letter: start, letter: point}
+                plan.images.hang(
+                    rod, other, {k: m for k, m in ends.items() if k in rod.link.points}
+                )
+                plan.images.complete(rod)
+        case GuideLeg():
+            at = known_image(plan, closing, leg) if leg.inner else point
+            hanging = Hanging(pin, at, plan.images.hanging[leg.on].base)
+            if leg.on in plan.rates:
+                plan.rates[leg.link] = plan.rates[leg.on]
+        case _:
+            unheld(leg, plan.images.pole.view)
+    body = positions.bodies[leg.link]
+    if letter in body.link.points:
+        known[letter] = hanging.image if hanging.anchor == pin else point
+    plan.images.hang(body, hanging, known)
+    plan.images.complete(body)
 
 
 def hang_wheel(

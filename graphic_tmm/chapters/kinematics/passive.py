@@ -12,12 +12,12 @@ from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
     Passive,
-    PinLeg,
     anchor,
     draw_guide,
     draw_points,
     stand,
 )
+from graphic_tmm.chapters.kinematics.closings import PinLeg
 from graphic_tmm.chapters.kinematics.figures import tell_link, tell_slide
 from graphic_tmm.mechanism.guides import direction, level
 from graphic_tmm.mechanism.passive import Hold, holds

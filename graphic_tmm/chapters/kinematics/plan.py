@@ -185,7 +185,7 @@ def record(bench: Bench) -> KinematicPlans:
         numbered.names, (_within(tried.sweep, a) for a in np.ravel(values)), row.count, tried.sweep
     )
     at = follow(draft, tried.pairs, tried.zero, numbered.at)
-    positions = draw_positions(draft, mechanism, structure, frame, at, tried.wound)
+    positions = draw_positions(draft, mechanism, structure, frame, at, tried.wound, tried.branch)
     if scene.trajectories and tried.returning_late:
         raise StructureError(
             said(

@@ -5,25 +5,36 @@ What the other plans need of a group, its closing point and two legs, is left in
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
 
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import ray
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Point, Side
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import Body, Positions, anchor, draw_points, stand
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    Positions,
+    anchor,
+    draw_points,
+    stand,
+)
+from graphic_tmm.chapters.kinematics.closings import AnyClosing, Branch
 from graphic_tmm.chapters.kinematics.drives import driven
-from graphic_tmm.chapters.kinematics.dyads import Site, close
+from graphic_tmm.chapters.kinematics.dyads import Ground, Site, close
 from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
 from graphic_tmm.chapters.kinematics.passive import draw_passive
+from graphic_tmm.chapters.kinematics.plates import Plate, close_plate
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Wound
 from graphic_tmm.mechanism import records
-from graphic_tmm.mechanism.groups import Group, Pair, untreated
+from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, untreated
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.mechanism.wheels import Rolling
 
 VIEW = "positions"
+Branches = Callable[[Wheels, PlateGroup, Plate], Branch]
+"""Which of its places a plate keeps, from what is drawn before it."""
 
 
 def draw_frame(draft: Draft, mechanism: records.Mechanism, structure: Structure) -> Body:
@@ -62,10 +73,11 @@ def draw_positions(
     frame: Body,
     row: Sequence[Mark],
     wound: Wound | None = None,
+    branches: Branches | None = None,
 ) -> Positions:
     """Draw what is driven and the groups one after another; ``row``: where each drive stands.
 
-    ``wound``: how angles go on that wheels roll by.
+    ``wound``: how angles go on that wheels roll by; ``branches``: which of its places each plate keeps.
     """
     draft.open(VIEW)
     bodies = {frame.link.number: frame}
@@ -87,26 +99,35 @@ def draw_positions(
             wheels.stand(group)
             tell_link(draft, mechanism, bodies[group.link])
             continue
-        draft.say(f"II({group.name})")
-        sides |= _take_side(draft, mechanism, group)
-        first, second = (mechanism.by_number[leg.link] for leg in group.legs)
+        draft.say(group.formula)
         rods = tuple(mechanism.by_number[rod] for rod in group.rods)
-        site = Site(
-            draft, bodies, group, (first, second), sides.get(group.name), letters, lengths, rods
-        )
-        closing = close(site)
+        side: Mark | None = None
+        closing: AnyClosing
+        if isinstance(group, PlateGroup):
+            ground = Ground(draft, bodies, letters, lengths, rods)
+            assert branches is not None
+            follow = partial(branches, wheels, group)
+            closing = close_plate(ground, group, mechanism.by_number, follow)
+        else:
+            sides |= _take_side(draft, mechanism, group)
+            first, second = (mechanism.by_number[leg.link] for leg in group.legs)
+            side = sides.get(group.name)
+            links = first, second
+            closing = close(Site(draft, bodies, letters, lengths, rods, group, links, side))
         closings.append(closing)
         for number in (*(leg.link for leg in group.legs), *group.rods):
             body = bodies[number]
             draw_points(draft, body, anchor(body))
-        tell_group(draft, mechanism, bodies, closing, site.side)
+        tell_group(draft, mechanism, bodies, closing, side)
     passive = draw_passive(draft, mechanism, bodies)
     drawn = tuple(wheels.drawn)
     return Positions(bodies, tuple(closings), sides, tuple(row), passive, drawn)
 
 
-def side_record(mechanism: records.Mechanism, group: Group) -> records.Side | None:
+def side_record(mechanism: records.Mechanism, group: AssurGroup) -> records.Side | None:
     """Return the side a scene gives to a group of kinds 1–3, for legs in the group's order; None if absent."""
+    if isinstance(group, PlateGroup):
+        return None
     pair = _sliding(group)
     if group.kind == 1:
         given = [mechanism.by_number[leg.link].side for leg in group.legs]

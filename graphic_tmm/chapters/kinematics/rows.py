@@ -19,7 +19,8 @@ from graphic_tmm.board.operations.statics import STANDS
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions, legs_of
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, legs_of
 from graphic_tmm.chapters.kinematics.motion import Motion, image_letter, reading_of
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES, Rows
 from graphic_tmm.errors import StructureError

@@ -13,7 +13,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import LENGTHS, standard_length
 from graphic_tmm.board.values import Reals, undefined
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, legs_of, pair_of
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, legs_of, pair_of
 from graphic_tmm.chapters.kinematics.given import frame_sizes
 from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import PositionsInk

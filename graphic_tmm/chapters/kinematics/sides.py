@@ -1,4 +1,4 @@
-"""On which side each group stands at an angle of the crank: as a scene says, or carried on along a row."""
+"""On which side, or near which place, each group stands at an angle of the crank: as told, or carried on."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import numpy as np
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.closings import PlateClosing
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.mechanism.records import Drive, Mechanism, Side
 
@@ -36,6 +37,9 @@ def standing(plans: Plans, angles: Reals, *, carried: bool = False) -> dict[Mark
     """
     given: dict[Mark, object] = {}
     for closing in plans.positions.closings:
+        if isinstance(closing, PlateClosing):
+            given |= dict(zip(closing.near, closing.branch.near(angles), strict=True))
+            continue
         side = side_record(plans.mechanism, closing.group)
         if side is not None and side.flips_at:
             drive = plans.mechanism.drive

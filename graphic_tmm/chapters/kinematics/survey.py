@@ -13,30 +13,34 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.operations.instruments import measure_along, ray
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.chapters.kinematics.bodies import (
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.branches import followed
+from graphic_tmm.chapters.kinematics.closings import (
+    AnyClosing,
+    Branch,
     Closing,
     ClosingLeg,
     GuideLeg,
     PinLeg,
-    Positions,
-    dyads,
     unheld,
 )
 from graphic_tmm.chapters.kinematics.drives import driven, follow
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.plates import Plate
 from graphic_tmm.chapters.kinematics.positions import (
     draw_frame,
     draw_positions,
     side_record,
 )
 from graphic_tmm.chapters.kinematics.sides import standing
+from graphic_tmm.chapters.kinematics.special_point import drawn_point
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Winding
 from graphic_tmm.chapters.kinematics.winding import STEPS, winding
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import class_two
+from graphic_tmm.mechanism.groups import PlateGroup, of_class_two
 from graphic_tmm.mechanism.records import TURN, Mechanism, Sweep
 from graphic_tmm.mechanism.structure import Structure
 
@@ -57,6 +61,7 @@ class Survey:
     axes: dict[tuple[str, str], Mark]
     zero: float = 0.0
     windings: Mapping[int, Winding] = field(default_factory=dict)
+    branches: Mapping[str, Branch] = field(default_factory=dict)
 
     @property
     def returning_late(self) -> tuple[str, ...]:
@@ -84,6 +89,10 @@ class Survey:
     def wound(self, number: int, wheels: Wheels) -> Winding:
         """Return how the angle of a link goes on, as it was found out."""
         return self.windings[number]
+
+    def branch(self, wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
+        """Return which of its places a plate keeps, as it was found out."""
+        return self.branches[group.name]
 
     @cached_property
     def rolls_on(self) -> bool:
@@ -139,7 +148,13 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
         windings[number] = winding(wheels, number)
         return windings[number]
 
-    positions = draw_positions(draft, mechanism, structure, frame, row, wound)
+    branches: dict[str, Branch] = {}
+
+    def branch(wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
+        branches[group.name] = followed(wheels, group, plate)
+        return branches[group.name]
+
+    positions = draw_positions(draft, mechanism, structure, frame, row, wound, branch)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
     pole = velocities.images.pole
     x = draft.draw(ray, "(px)", pole, draft.direction(0.0))
@@ -155,7 +170,9 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
                 axes[letter, name] = draft.draw(measure_along, along, pole, image, axis)
     given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
     log = draft.board.construction()
-    return Survey(mechanism, structure, log, given, positions, velocities, axes, zero, windings)
+    return Survey(
+        mechanism, structure, log, given, positions, velocities, axes, zero, windings, branches
+    )
 
 
 def _steady(mechanism: Mechanism, structure: Structure) -> tuple[Mechanism, Structure]:
@@ -169,7 +186,7 @@ def _steady(mechanism: Mechanism, structure: Structure) -> tuple[Mechanism, Stru
 
 
 def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
-    for group in class_two(structure.groups, "assembly"):
+    for group in of_class_two(structure.groups):
         if group.kind > 3 or side_record(mechanism, group) is not None:
             continue
         if group.kind == 1:
@@ -197,7 +214,7 @@ def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
 
 
 def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
-    for group in class_two(structure.groups, "assembly"):
+    for group in of_class_two(structure.groups):
         if group.kind != 1:
             continue
         a, c = (leg.pair.name for leg in group.legs)
@@ -262,11 +279,10 @@ def least_angle(tried: Survey, ends: tuple[float, float] | None = None) -> float
     a four-bar that between coupler and rocker, of a slider that between its rod and what is square to its
     guide, of a stone that between its guide and what is square to the arm of the link that it slides on.
     """
-    closings = tuple(dyads(tried.positions.closings, TRANSMISSION))
-    lines = [leg.line for closing in closings for leg in closing.legs]
-    reading = tried.whole(lines, ends)[1]
+    crossings = [two for closing in tried.positions.closings for two in _crossings(tried, closing)]
+    reading = tried.whole([leg.line for two in crossings for leg in two], ends)[1]
     with np.errstate(all="ignore"):
-        sines = [float(np.nanmin(_sine(reading, one), initial=np.inf)) for one in closings]
+        sines = [float(np.nanmin(_sine(reading, *two), initial=np.inf)) for two in crossings]
     least = min(sines, default=1.0)
     return float(np.degrees(np.arcsin(min(least, 1.0)))) if np.isfinite(least) else np.nan
 
@@ -281,13 +297,14 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     first = tried.pairs[0]
     crank = first.arm_ends(tried.positions)
     closed = tried.velocities.closed
-    groups = [(c, closed[c.group.name]) for c in dyads(tried.positions.closings, TRANSMISSION)]
-    lines = [leg.line for closing, _ in groups for leg in closing.legs]
+    groups = [(c, closed[c.group.name]) for c in tried.positions.closings]
+    crossings = [two for closing, _ in groups for two in _crossings(tried, closing)]
+    lines = [leg.line for two in crossings for leg in two]
     row = angles.astype(np.float64)[None, :]
     reading = tried.at(row, [*crank, *lines, *(image for _, image in groups)])
-    found = [np.ones(row.shape)]
+    found = [np.ones(row.shape), *(_sine(reading, *two) for two in crossings)]
     for closing, image in groups:
-        found += [_sine(reading, closing), _speed(reading, image)]
+        found.append(_speed(reading, image))
         pinned = (leg for leg in closing.legs if isinstance(leg, PinLeg) or leg.inner)
         hung = [leg.line for leg in pinned if crank and leg.body == first.link]
         arm = reading[crank[1]] - reading[crank[0]] if crank else np.ones_like(row)
@@ -296,8 +313,16 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     return np.asarray(np.min(shares, axis=0)[0])
 
 
-def _sine(reading: Reading, closing: Closing) -> Reals:
-    first, second = (_way(reading, leg) for leg in closing.legs)
+def _crossings(tried: Survey, closing: AnyClosing) -> list[tuple[ClosingLeg, ClosingLeg]]:
+    """Return the legs, two by two, whose lines of velocities meet; of a plate by its special point, too."""
+    if isinstance(closing, Closing):
+        return [closing.legs]
+    plate = drawn_point(tried.construction, closing.group.plate)
+    return [closing.crossing, (plate.leg, closing.third)]
+
+
+def _sine(reading: Reading, one: ClosingLeg, other: ClosingLeg) -> Reals:
+    first, second = (_way(reading, leg) for leg in (one, other))
     return np.asarray(np.abs((np.conj(first) * second).imag))
 
 

@@ -26,6 +26,8 @@ TURNS = "turns"
 BY_DRIVE = "velocities by drive"
 """A place, and a need: velocities as each of several drives causes them."""
 EXTREMES = "extremes"
+SPECIAL_POINTS = "special points"
+"""The view of the board in which special points of plates are drawn."""
 GIVEN = "given"
 """The place of the table of what is given."""
 FULL_TURN = said(

@@ -10,7 +10,7 @@ import numpy as np
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.outside import stand, stand_out
 from graphic_tmm.board.record import Figure, Mark
-from graphic_tmm.chapters.kinematics.bodies import GuideLeg, PinLeg, legs_of
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg, legs_of
 from graphic_tmm.chapters.kinematics.ink_numbers import Letters
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.chapters.kinematics.ink_positions import FULL, PATHS, PositionsInk, path_stays

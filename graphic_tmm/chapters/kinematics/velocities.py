@@ -8,25 +8,20 @@ from __future__ import annotations
 
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.formulas import rate, to_board
-from graphic_tmm.board.operations.instruments import coincide, lay_off, measure, measure_along, meet
+from graphic_tmm.board.operations.instruments import coincide, measure, measure_along, meet
 from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import (
+from graphic_tmm.chapters.kinematics.bodies import Meshed, Positions
+from graphic_tmm.chapters.kinematics.closings import (
     Closing,
-    ClosingLeg,
-    GuideLeg,
-    Meshed,
     PinLeg,
-    Positions,
-    unheld,
+    PlateClosing,
 )
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
     Images,
     Motion,
-    component,
     hang_group,
     hang_passive,
     hang_wheel,
@@ -36,7 +31,8 @@ from graphic_tmm.chapters.kinematics.motion import (
     passive_legs,
     pivot_image,
 )
-from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines
+from graphic_tmm.chapters.kinematics.special_point import plate_velocities
+from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read, stands
 from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
@@ -66,16 +62,18 @@ def draw_velocities(
             pair.hold(positions, plan)
         else:
             pair.velocity(positions, plan, turn)
-    for one in attached(positions, VIEW):
+    for one in attached(positions):
         if isinstance(one, Meshed):
             _wheel(draft, positions, plan, turn, one)
+        elif isinstance(one, PlateClosing):
+            plate_velocities(draft, positions, plan, turn, one)
         else:
             _group(draft, positions, plan, turn, one)
     hang_passive(positions, plan)
     for leg, start, point in passive_legs(positions, plan):
         fixed = start == pole
         line = turn.across(f"({between(start, point.letter)})", start, leg.line, fixed)
-        _read(draft, plan, leg, start, point, line)
+        read(draft, plan, leg, start, point, line)
     measure_absolute(draft, plan, positions)
     return plan
 
@@ -107,7 +105,7 @@ def _wheel(
         draft.draw(measure, between(pole, image.letter), pole, image, why=why.ABSOLUTE_VELOCITY)
         plan.measured.add(image)
     line = turn.across(f"({between(start, image.letter)})", start, leg.line, start == pole)
-    _read(draft, plan, leg, start, image, line)
+    read(draft, plan, leg, start, image, line)
     hang_wheel(positions, plan, wheel, start, image)
 
 
@@ -136,7 +134,7 @@ def _on_arm(
         lines[0],
         why=why.RELATIVE_VELOCITY,
     )
-    _read(draft, plan, wheel.leg, start, image, lines[1])
+    read(draft, plan, wheel.leg, start, image, lines[1])
     hang_wheel(positions, plan, wheel, start, image)
 
 
@@ -147,71 +145,17 @@ def _group(
     known = [known_image(plan, closing, leg) for leg in closing.legs]
     # no plan of accelerations goes by that of one drive
     alone = plan.images.pole.view != VIEW
-    if alone and all(_stands(plan, *one) for one in zip(closing.legs, known, strict=True)):
+    if alone and all(stands(plan, *one) for one in zip(closing.legs, known, strict=True)):
         plan.closed[closing.group.name] = plan.images.pole
         for number in (*closing.group.links, *closing.group.rods):
             hold(plan, positions.bodies[number])
         return
     draft.say(f"II({closing.group.name})")
     for leg, start in zip(closing.legs, known, strict=True):
-        match leg:
-            case PinLeg():
-                draw = turn.across
-                if leg.rod in plan.speeds:
-                    start, draw = _rod_out(draft, plan, turn, leg, start), turn.with_cylinder
-            case GuideLeg():
-                draw = turn.along
-            case _:
-                unheld(leg, VIEW)
-        starts.append(start)
-        fixed = start == plan.images.pole
-        lines.append(draw(f"({between(start, letter)})", start, leg.line, fixed))
+        line = leg_line(draft, plan, turn, leg, start, letter)
+        starts.append(draft.uses(line)[0])
+        lines.append(line)
     point = draft.draw(meet, letter, lines[1], lines[0], free=True, why=why.BOTH_EQUATIONS)
     for leg, start, line in zip(closing.legs, starts, lines, strict=True):
-        _read(draft, plan, leg, start, point, line)
+        read(draft, plan, leg, start, point, line)
     hang_group(positions, plan, closing, point)
-
-
-def _stands(plan: Motion, leg: ClosingLeg, start: Mark) -> bool:
-    """Whether what holds a leg stands, and nothing drives it: its drives are held."""
-    if start != plan.images.pole:
-        return False
-    match leg:
-        case PinLeg():
-            return leg.rod not in plan.speeds
-        case GuideLeg():
-            return leg.inner or not plan.images.turns(leg.body)
-        case _:
-            unheld(leg, VIEW)
-
-
-def _rod_out(draft: Draft, plan: Motion, turn: VelocityLines, leg: PinLeg, start: Mark) -> Mark:
-    """Lay off the velocity of a rod seen from its cylinder; return its end, from which the leg turns."""
-    speed, letter = plan.speeds[leg.rod], f"k{leg.link}"
-    segment = between(start, letter)
-    length = draft.draw(to_board, segment, speed)
-    draft.figure(roles.COMPONENT, speed.letter, length)
-    line = turn.out(f"({segment})", start, leg.line)
-    end = draft.draw(lay_off, letter, line, length, free=True, why=why.VECTOR)
-    plan.ends[leg.link], plan.outs[leg.link] = end, length
-    plan.driven[leg.rod] = start, end
-    return end
-
-
-def _read(
-    draft: Draft, plan: Motion, leg: ClosingLeg, start: Mark, point: Mark, line: Mark
-) -> None:
-    name, fixed = between(start, point.letter), start == plan.images.pole
-    because = why.ABSOLUTE_VELOCITY if fixed else why.RELATIVE_VELOCITY
-    segment = draft.draw(measure_along, name, start, point, line, why=because)
-    plan.readings[leg.link] = segment
-    if fixed:
-        plan.measured.add(point)
-    if isinstance(leg, PinLeg):
-        plan.rates[leg.link] = draft.draw(
-            rate, f"ω_{leg.link}", segment, leg.length, unit="1/s", why=why.OMEGA
-        )
-        if leg.link in plan.outs:
-            component(draft, segment, "t", point.name, leg.letter, of="v")
-        if leg.rod:
-            plan.rates[leg.rod] = plan.rates[leg.link]

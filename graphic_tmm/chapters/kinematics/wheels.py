@@ -26,15 +26,13 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Side
 from graphic_tmm.chapters.kinematics.bodies import (
     Body,
-    Closing,
     Meshed,
-    PinLeg,
     Positions,
     anchor,
     draw_points,
-    dyads,
     stand,
 )
+from graphic_tmm.chapters.kinematics.closings import AnyClosing, PinLeg
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.drives.rack import Rack
@@ -115,7 +113,7 @@ class Wheels:
         self.angles: dict[int, tuple[Mark, float]] = {}
         self.senses: dict[int, int] = {}
         self.drawn: list[Meshed] = []
-        self.closings: list[Closing] = []
+        self.closings: list[AnyClosing] = []
         self.sides: dict[str, Mark] = {}
         self.row: list[Mark] = []
         self.pairs: list[DrivenPair] = []
@@ -273,7 +271,7 @@ class Wheels:
         return draft.draw(bearing_near, f"φ_{number}", axis, near, unit="°")
 
 
-def attached(positions: Positions, room: str) -> Iterator[Closing | Meshed]:
-    """Yield groups and wheels in the order of attachment."""
-    groups, wheels = tuple(dyads(positions.closings, room)), positions.wheels
+def attached(positions: Positions) -> Iterator[AnyClosing | Meshed]:
+    """Yield groups of all classes and wheels in the order of attachment."""
+    groups, wheels = positions.closings, positions.wheels
     return in_order(groups, wheels, [one.rolling.after for one in wheels])

@@ -11,6 +11,7 @@ CAPTIONS: dict[str, str] = {
     "chapter kinematics": said("Kinematics of the mechanism"),
     "positions": said("Plan of positions"),
     "extremes": said("Extreme positions"),
+    "special points": said("Special points"),
     "velocities": said("Velocity plan"),
     "accelerations": said("Acceleration plan"),
     "table positions": said("Positions from the plans"),
@@ -99,6 +100,28 @@ PIN_ARC = said(
 TWO_ARCS = said(
     "The pin belongs to both links, so it is where both arcs meet; of the two places it is the one on the "
     "side on which the mechanism was assembled, for it cannot pass from the one to the other."
+)
+TRACING = said(
+    "The plate is rigid, and each of its three pins keeps to what its leg leaves it: on tracing paper it is "
+    "moved until all three are there at once. Of the places where they are, up to six, it is the one that "
+    "goes on from the position before."
+)
+PRICKED = said("The first pin of the plate is pricked through with the line.")
+SPECIAL_POINT = said(
+    "As a point of the plate, the point where the lines of two legs cross moves square to both of them: only "
+    "there is the direction of its relative velocity the same about both ends of a leg (Assur's special point)."
+)
+GUIDE_NORMAL = said(
+    "What slides along a guide turns about no point of it; the special point lies on the normal to the guide."
+)
+OF_THE_PLATE = said("Both are points of the plate.")
+SPECIAL_VELOCITY = said(
+    "The special point moves about the pivot of each of both legs square to that leg: its image lies on both "
+    "lines."
+)
+SPECIAL_ACCELERATION = said(
+    "Square to each of both legs nothing but the tangential components is unknown: the image of the special "
+    "point lies on both lines."
 )
 ARC_AND_GUIDE = said(
     "The pin belongs to the rod and to the slider, so it is where the arc of the rod cuts the slider's "

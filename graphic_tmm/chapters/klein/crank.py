@@ -6,7 +6,13 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from graphic_tmm.board.draft import ROUNDING
-from graphic_tmm.chapters.kinematics.bodies import Closing, GuideLeg, PinLeg, dyads, pair_of
+from graphic_tmm.chapters.kinematics.closings import (
+    Closing,
+    GuideLeg,
+    PinLeg,
+    dyads,
+    pair_of,
+)
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.rack import Rack
 from graphic_tmm.chapters.kinematics.plan import KinematicPlans

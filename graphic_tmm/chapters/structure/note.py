@@ -12,6 +12,7 @@ from graphic_tmm.chapters.structure.table import (
     PAIR_HEADS,
     WORDS,
     aside_lines,
+    class_of,
     link_rows,
     pair_rows,
 )
@@ -19,7 +20,7 @@ from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.chapters.structure.views_replacing import replacing_views
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
-from graphic_tmm.mechanism.groups import class_two
+from graphic_tmm.mechanism.groups import PlateGroup, of_class_two
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.note.bricks import in_columns, referred, side_by_side
 from graphic_tmm.note.calculations import without_letters
@@ -55,6 +56,7 @@ TELESCOPED = said(
     "moves with one freedom."
 )
 GROUP = said("Group {name}: class II, order 2, kind {kind}")
+PLATE = said("Group {name}: class III, order 3, the closed figure is link {plate}")
 DRIVEN = said("Driving link {name}: class I")
 DRIVEN_ROD = said("Rod in its cylinder {name}: class I")
 ATTACHED = said("The parts are shown in {} in the order of their attachment; the mobility of each:")
@@ -97,7 +99,7 @@ class StructurePage(Page[Structure]):
         for line in aside_lines(mechanism, structure, language):
             yield paragraph(f"{plain(line)}.")
         yield paragraph(f"{words['formula']}: {structure.formula}.")
-        yield paragraph(f"{words['class II' if structure.groups else 'class I']}.")
+        yield paragraph(f"{words[class_of(structure)]}.")
         if found is not None and found.replaced:
             shown = side_by_side(self.figures(*self.pictures))
             yield referred(shown, self.language, REPLACED)
@@ -124,12 +126,15 @@ class StructurePage(Page[Structure]):
         rods = {one.name for one in driven if one.telescopes}
         if rods:
             yield self.says(TELESCOPED)
-        kinds = {group.name: group.kind for group in class_two(structure.groups, PARTS)}
+        kinds = {group.name: group.kind for group in of_class_two(structure.groups)}
+        plates = {one.name: one.plate for one in structure.groups if isinstance(one, PlateGroup)}
         called = dict.fromkeys(rods, DRIVEN_ROD)
         called |= {one.name: BELTED if one.mesh.belted else WHEEL for one in structure.wheels}
         titles = [
             self.sentence(GROUP, name=name, kind=kinds[name])
             if name in kinds
+            else self.sentence(PLATE, name=name, plate=plates[name])
+            if name in plates
             else self.sentence(called.get(name, DRIVEN), name=name)
             for name in found.parts
         ]

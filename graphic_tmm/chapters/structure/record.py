@@ -12,8 +12,8 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.structure import PARTS, REPLACING, STRUCTURE
 from graphic_tmm.chapters.structure.replacing import Replaced, replace
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import Group
 from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.project import Bench, Plan
 from graphic_tmm.scene.chapter import Recorded, aside
 
@@ -52,7 +52,8 @@ def parts(structure: Structure) -> dict[str, tuple[int, int, int]]:
     """
     found = {one.name: (1, 1, 0) for one in structure.driven}
     return found | {
-        one.name: (2, 3, 0) if isinstance(one, Group) else (1, 1, 1) for one in structure.attached
+        one.name: (1, 1, 1) if isinstance(one, Rolling) else (len(one.links), one.pairs, 0)
+        for one in structure.attached
     }
 
 

@@ -82,5 +82,10 @@ def replaced_formula(structure: Structure) -> str:
     """Return the formula of structure of the replacing linkage."""
     names = {one.name: f"{one.name}-{one.span}" for one in structure.wheels}
     initial = ", ".join(f"I({one.name})" for one in structure.driven)
-    groups = (f"II({names.get(one.name, one.name)})" for one in structure.attached)
+    groups = (
+        one.formula.replace(one.name, names.get(one.name, one.name))
+        if not isinstance(one, Rolling)
+        else f"II({names.get(one.name, one.name)})"
+        for one in structure.attached
+    )
     return " → ".join([initial, *groups])

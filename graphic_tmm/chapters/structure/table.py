@@ -8,10 +8,11 @@ from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
 from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import Group, Pair
+from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup
 from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Structure, freedoms
+from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.formats import Heights
@@ -132,6 +133,7 @@ WORDS = Tongues(
         "formula": said("Formula of structure"),
         "group": said("Group {name}: class II, order 2, kind {kind}"),
         "class of group": said("Group {name}, class II"),
+        "class of plate": said("Group {name}, class III"),
         "wheel": said("Group {name}: one link, a lower and a higher pair"),
         "class of wheel": said("Wheel {name} with its higher pair"),
         "belted wheel": said(
@@ -141,6 +143,8 @@ WORDS = Tongues(
         "replacing": said("Replacing linkage"),
         "class of link": said("Driving link {name}, class I"),
         "class of rod": said("Rod in its cylinder {name}, class I"),
+        "plate": said("Group {name}: class III, order 3, the closed figure is link {plate}"),
+        "class III": said("The mechanism is of class III: that of its highest group"),
         "class II": said("The mechanism is of class II: that of its highest group"),
         "class I": said("The mechanism is of class I: it has no groups"),
     }
@@ -254,19 +258,32 @@ def _index(pair: Pair, mechanism: Mechanism, words: Mapping[str, str]) -> str:
     return f"{words[pair.kind + ' index']}_{{{escape(pair_name(pair, mechanism))}}}({joined})"
 
 
+def _group(one: AssurGroup | Rolling, words: Mapping[str, str]) -> str:
+    """Return what a group is, or a wheel: its class, order and kind."""
+    match one:
+        case Group():
+            return words["group"].format(name=one.name, kind=one.kind)
+        case PlateGroup():
+            return words["plate"].format(name=one.name, plate=one.plate)
+        case _:
+            return words["belted wheel" if one.mesh.belted else "wheel"].format(name=one.name)
+
+
+def class_of(structure: Structure) -> str:
+    """Return the class of a mechanism: the highest one of its groups."""
+    if any(isinstance(one, PlateGroup) for one in structure.groups):
+        return "class III"
+    return "class II" if structure.groups else "class I"
+
+
 def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -> tuple[str, ...]:
     """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
     words = WORDS[language]
-    groups = [
-        words["group"].format(name=one.name, kind=one.kind)
-        if isinstance(one, Group)
-        else words["belted wheel" if one.mesh.belted else "wheel"].format(name=one.name)
-        for one in structure.attached
-    ]
+    groups = [_group(one, words) for one in structure.attached]
     n, p, p4 = structure.moving, len(structure.pairs), len(structure.wheels)
     w = f"W = {freedoms(n, p, p4)} = {structure.mobility}"
     mobility = f"n = {n}, p_5 = {p}, p_4 = {p4}, {w}"
-    highest = words["class II" if structure.groups else "class I"]
+    highest = words[class_of(structure)]
     beside = aside_lines(mechanism, structure, language)
     return (mobility, *beside, f"{words['formula']}: {structure.formula}", *groups, highest)
 

@@ -25,7 +25,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import number
-from graphic_tmm.mechanism.groups import class_two
+from graphic_tmm.mechanism.groups import PlateGroup
 from graphic_tmm.mechanism.structure import dissect, freedoms
 from graphic_tmm.paper.drawing import Drawing, Ink, line
 from graphic_tmm.paper.figure import body
@@ -101,16 +101,20 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         return []
     structure = dissect(drawn.scene.mechanism)
     words, found = WORDS[drawn.scene.language], []
-    groups = {group.name: group.rods for group in class_two(structure.groups, PARTS)}
+    groups = {group.name: group for group in structure.groups}
     rods = {one.name for one in structure.driven if one.telescopes}
     rolling = {one.name: one.mesh.belted for one in structure.wheels}
     for name, (n, p5, p4) in parts(structure).items():
         links = [int(one) for one in name.split("-")]
-        kind = "group" if name in groups else "rod" if name in rods else "link"
+        kind = "rod" if name in rods else "link"
+        if name in groups:
+            kind = "plate" if isinstance(groups[name], PlateGroup) else "group"
         kind = ("wheel", "belted wheel")[rolling[name]] if name in rolling else kind
         told = words[f"class of {kind}"].format(name=name)
         on = subject(drawn, told, PARTS, name=f"part-{name}")
-        view = draw_part(on, reaches(drawn), links, groups.get(name, ()), drawn.main)
+        view = draw_part(
+            on, reaches(drawn), links, groups[name].rods if name in groups else (), drawn.main
+        )
         w = drawn.reading[made.parts[name]].item()
         line = f"W = {freedoms(n, p5, p4)} = {number(w, drawn.scene.language)}"
         found.append(with_caption(view, on, lettered, line))

@@ -23,7 +23,8 @@ from graphic_tmm.chapters.forces.lever import _base
 from graphic_tmm.chapters.forces.plan import _Figures, _solve
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import closures
-from graphic_tmm.chapters.kinematics.bodies import Body, Closing, Positions
+from graphic_tmm.chapters.kinematics.bodies import Body, Positions
+from graphic_tmm.chapters.kinematics.closings import Closing
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image, measure_absolute
 from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions

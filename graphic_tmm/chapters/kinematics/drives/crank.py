@@ -12,7 +12,12 @@ from graphic_tmm.board.operations.instruments import lay_off, parallel, ray, squ
 from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Angle, Number
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import Body, Positions, draw_points, stand
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    Positions,
+    draw_points,
+    stand,
+)
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, Sizes
 from graphic_tmm.chapters.kinematics.motion import Base, Hanging, Motion, component, image_letter
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines

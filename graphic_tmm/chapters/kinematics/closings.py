@@ -1,0 +1,243 @@
+"""What groups leave for the other plans: where each was closed, and its legs; the walks over all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple, Never, NoReturn
+
+import numpy as np
+
+from graphic_tmm.board.record import Mark
+from graphic_tmm.board.values import Reals
+from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
+from graphic_tmm.mechanism.groups import Group, Pair, PlateGroup, class_two
+from graphic_tmm.mechanism.records import Sweep
+
+
+class Closing(NamedTuple):
+    """What a group leaves for the other plans: the closing point Q (with its letter) and its two legs.
+
+    ``root`` is the mark in which the group was closed: where two loci met, or the line of a rocker.
+    """
+
+    group: Group
+    letter: str
+    point: Mark
+    root: Mark
+    legs: tuple[PinLeg | GuideLeg, PinLeg | GuideLeg]
+
+    @property
+    def image_letter(self) -> str:
+        """The letter of Q's image: "b", or "a3" where Q is the point of link 3 over the pivot A."""
+        small = self.letter.lower()
+        return f"{small}{self.legs[1].link}" if self.group.kind in (3, 5) else small
+
+    def at(self, leg: ClosingLeg) -> Mark:
+        """Return where what a leg holds acts: at its pivot, or at the closing point."""
+        return _at(leg, self.point)
+
+    def pin(self, leg: ClosingLeg) -> Mark:
+        """Return the inner end of a leg: the closing point."""
+        return self.point
+
+    def slid(self, leg: ClosingLeg) -> Mark:
+        """Return the point of a sliding leg's link that keeps to the guide as drawn."""
+        return self.root
+
+    def pin_letter(self, leg: ClosingLeg) -> str:
+        """Return the letter of the inner end of a leg."""
+        return self.letter
+
+    def image_of(self, leg: ClosingLeg) -> str:
+        """Return the letter of the image of the inner end of a leg."""
+        return self.image_letter
+
+
+class Branch(NamedTuple):
+    """One place of a plate, followed along its drive: coordinates, and the angles near which it lies there.
+
+    ``leg``, ``plate``: directions of the first leg and of the plate's line, degrees, without leaps. ``sweep``:
+    what the coordinates go through; where ``whole`` is False the plate can be laid between the ends only.
+    ``crossing``: the two legs (indices) that cross most squarely all along it.
+    """
+
+    at: Reals
+    leg: Reals
+    plate: Reals
+    sweep: Sweep
+    whole: bool
+    crossing: tuple[int, int]
+
+    def near(self, coordinates: Reals) -> tuple[Reals, Reals]:
+        """Return both angles at coordinates of the drive; NaN where the plate cannot be laid."""
+        period = self.sweep.high if self.sweep.closed else None
+        low, high = self.at[0], self.at[-1]
+        row = low + np.mod(coordinates - low, period) if period else coordinates
+        inside = (row >= low) & (row <= high)
+        return tuple(  # type: ignore[return-value]
+            np.where(inside, np.interp(row, self.at, angles), np.nan)
+            for angles in (self.leg, self.plate)
+        )
+
+
+class PlateClosing(NamedTuple):
+    """What a group of class III leaves for the other plans: its three legs, the pins of the plate on them.
+
+    ``root``: the line of the plate as pricked. ``near``: what is given of its place, the angles of the first
+    leg and of the plate; ``branch``: what these are at coordinates of the drive.
+    """
+
+    group: PlateGroup
+    root: Mark
+    legs: tuple[ClosingLeg, ClosingLeg, ClosingLeg]
+    pins: tuple[str, str, str]
+    points: tuple[Mark, Mark, Mark]
+    near: tuple[Mark, Mark]
+    branch: Branch
+
+    @property
+    def crossing(self) -> tuple[ClosingLeg, ClosingLeg]:
+        """The legs in whose crossing Assur's special point is taken."""
+        first, second = self.branch.crossing
+        return self.legs[first], self.legs[second]
+
+    @property
+    def third(self) -> ClosingLeg:
+        """The leg that does not cross there."""
+        return next(leg for k, leg in enumerate(self.legs) if k not in self.branch.crossing)
+
+    @property
+    def letter(self) -> str:
+        """The letter of the plate's pin on its third leg, by which its plans are closed."""
+        return self.pin_letter(self.third)
+
+    @property
+    def point(self) -> Mark:
+        """The plate's pin on its third leg."""
+        return self.pin(self.third)
+
+    def at(self, leg: ClosingLeg) -> Mark:
+        """Return where what a leg holds acts: at its pivot, or at its pin."""
+        return _at(leg, self.pin(leg))
+
+    def pin(self, leg: ClosingLeg) -> Mark:
+        """Return the plate's pin on a leg."""
+        return self.points[self.legs.index(leg)]
+
+    def slid(self, leg: ClosingLeg) -> Mark:
+        """Return the point of a sliding leg's link that keeps to the guide as drawn: its pin."""
+        return self.pin(leg)
+
+    def pin_letter(self, leg: ClosingLeg) -> str:
+        """Return the letter of the plate's pin on a leg."""
+        return self.pins[self.legs.index(leg)]
+
+    def image_of(self, leg: ClosingLeg) -> str:
+        """Return the letter of the image of the plate's pin on a leg."""
+        return self.pin_letter(leg).lower()
+
+
+def _at(leg: ClosingLeg, pin: Mark) -> Mark:
+    match leg:
+        case PinLeg():
+            return leg.pivot
+        case GuideLeg():
+            return pin
+        case _:
+            unheld(leg, "forces")
+
+
+class PinLeg(NamedTuple):
+    """T: link ``link`` turns on ``body`` about ``pivot``; the line and the length from there to Q.
+
+    ``rod``: the rod that is driven out of that link, a cylinder, and makes it longer; 0 where it is rigid;
+    ``turned``: whether the rod is what turns about the pivot, and the cylinder ends at Q.
+    """
+
+    link: int
+    body: int
+    letter: str
+    pivot: Mark
+    line: Mark
+    length: Mark
+    rod: int = 0
+    turned: bool = False
+
+    @property
+    def links(self) -> tuple[int, ...]:
+        """Its link, and the rod that is driven out of it: as they lie from the pivot to Q."""
+        if not self.rod:
+            return (self.link,)
+        return (self.rod, self.link) if self.turned else (self.link, self.rod)
+
+
+class GuideLeg(NamedTuple):
+    """S: link ``link`` slides on ``body`` along ``line``. I (``inner``): Q slides off its pivot on ``body``.
+
+    ``on``: the link that is slid on.
+    """
+
+    link: int
+    body: int
+    line: Mark
+    inner: bool
+    on: int
+
+
+ClosingLeg = PinLeg | GuideLeg
+"""How a link of a group is held by what is there already."""
+AnyClosing = Closing | PlateClosing
+"""What a group of any class leaves."""
+
+
+def dyads(closings: Iterable[AnyClosing], room: str) -> Iterator[Closing]:
+    """Yield groups of two legs in the order of attachment; StructureError of one that a room does not treat."""
+    closings = tuple(closings)
+    for group in class_two((closing.group for closing in closings), room):
+        closing = next(one for one in closings if one.group is group)
+        assert isinstance(closing, Closing)
+        yield closing
+
+
+def of_two_links(closings: Iterable[AnyClosing]) -> Iterator[Closing]:
+    """Yield the groups of two links alone: what is told of these cannot happen to others."""
+    return (closing for closing in closings if isinstance(closing, Closing))
+
+
+def legs_of(closings: Iterable[AnyClosing], room: str) -> Iterator[tuple[AnyClosing, ClosingLeg]]:
+    """Yield the legs of groups of all classes, each beside its group; StructureError of a strange one."""
+    for closing in closings:
+        for leg in closing.legs:
+            match leg:
+                case PinLeg() | GuideLeg():
+                    yield closing, leg
+                case _:
+                    unheld(leg, room)
+
+
+def outer_guides(
+    closings: Iterable[AnyClosing], room: str
+) -> Iterator[tuple[AnyClosing, GuideLeg]]:
+    """Yield the legs that slide on what is there already, each beside its group."""
+    for closing, leg in legs_of(closings, room):
+        if isinstance(leg, GuideLeg) and not leg.inner:
+            yield closing, leg
+
+
+def unheld(leg: Never, room: str) -> NoReturn:
+    """Refuse a leg of a kind that a room does not treat: mypy sees that none of the kinds comes here."""
+    link, kind = getattr(leg, "link", "?"), type(leg).__name__
+    raise StructureError(
+        said("link {link} is held in a way that is not treated here: {kind}", link=link, kind=kind),
+        f"link {link}",
+        head=room,
+    )
+
+
+def pair_of(closing: AnyClosing, leg: GuideLeg) -> Pair:
+    """Return the sliding pair of a leg."""
+    group = closing.group
+    if isinstance(group, Group) and leg.inner:
+        return group.inner
+    return next(k.pair for k in group.legs if k.link == leg.link)

@@ -1,0 +1,201 @@
+"""Plans of a plate on three legs by Assur's special point, where the lines of two of its legs cross.
+
+As a point of the plate it moves square to both legs at once, so its image is where two known lines meet; then
+the plate is joined to the third leg as two links are. The line of a leg that slides is square to its guide.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from graphic_tmm.board.draft import Draft
+from graphic_tmm.board.operations.instruments import (
+    join,
+    lay_off,
+    measure,
+    measure_along,
+    meet,
+    parallel,
+    square,
+)
+from graphic_tmm.board.record import Construction, Mark, between
+from graphic_tmm.chapters.kinematics import words as why
+from graphic_tmm.chapters.kinematics.acceleration_lines import (
+    free_line,
+    read_along,
+    read_tangential,
+    tangential_line,
+)
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.closings import ClosingLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.formulas import normal_at
+from graphic_tmm.chapters.kinematics.motion import (
+    Base,
+    Hanging,
+    Motion,
+    component,
+    hang_leg,
+    hold,
+    known_image,
+)
+from graphic_tmm.chapters.kinematics.task import SPECIAL_POINTS, VELOCITIES
+from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read, stands
+
+
+class SpecialPoint(NamedTuple):
+    """Assur's special point of a plate: the lines that cross there, the leg from it to the third pin."""
+
+    point: Mark
+    lines: tuple[Mark, Mark]
+    leg: PinLeg
+
+
+def special_point(draft: Draft, closing: PlateClosing) -> SpecialPoint:
+    """Draw the special point of a plate; once on a board."""
+    view, plate = draft.view, closing.group.plate
+    draft.open(SPECIAL_POINTS)
+    name, log = f"W{plate}", draft.board.construction()
+    if log.view(SPECIAL_POINTS) is None:
+        draft.lay_out(closing.point, draft.mu_l)
+    if not log.roles(SPECIAL_POINTS, name):
+        lines = [_line(draft, closing, leg) for leg in closing.crossing]
+        point = draft.draw(meet, name, *lines, role=name, why=why.SPECIAL_POINT)
+        third = f"{name}{closing.letter}"
+        draft.draw(join, f"({third})", point, closing.point, role=name, why=why.OF_THE_PLATE)
+        draft.draw(measure, third, point, closing.point, role=name, why=why.OF_THE_PLATE)
+        log = draft.board.construction()
+    draft.open(view)
+    return drawn_point(log, plate)
+
+
+def drawn_point(log: Construction, plate: int) -> SpecialPoint:
+    """Return the special point of a plate from the log."""
+    name = f"W{plate}"
+    point, line, length = log.roles(SPECIAL_POINTS, name)
+    step = log.step(point)
+    assert step is not None
+    first, second = step.uses
+    return SpecialPoint(point, (first, second), PinLeg(plate, plate, name, point, line, length))
+
+
+def _line(draft: Draft, closing: PlateClosing, leg: ClosingLeg) -> Mark:
+    """Return the line of a leg, on which the special point lies: its own, or square to its guide."""
+    if isinstance(leg, PinLeg):
+        return leg.line
+    name = f"(n_{closing.pin_letter(leg)})"
+    return draft.draw(square, name, closing.pin(leg), leg.line, sense=1, why=why.GUIDE_NORMAL)
+
+
+def plate_velocities(
+    draft: Draft, positions: Positions, plan: Motion, turn: VelocityLines, closing: PlateClosing
+) -> None:
+    """Draw the velocities of a plate on three legs, and of these."""
+    group, pole = closing.group, plan.images.pole
+    known = [known_image(plan, closing, leg) for leg in closing.legs]
+    alone = plan.images.pole.view != VELOCITIES
+    if alone and all(stands(plan, *one) for one in zip(closing.legs, known, strict=True)):
+        plan.closed[group.name] = pole
+        for number in (*group.links, *group.rods):
+            hold(plan, positions.bodies[number])
+        return
+    special = special_point(draft, closing)
+    draft.say(group.formula)
+    image, third = special.leg.letter.lower(), closing.third
+    lines = [
+        leg_line(draft, plan, turn, leg, known_image(plan, closing, leg), image)
+        for leg in closing.crossing
+    ]
+    at = draft.draw(meet, image, lines[1], lines[0], free=True, why=why.SPECIAL_VELOCITY)
+    letter = closing.image_of(third)
+    across = turn.across(f"({between(at, letter)})", at, special.leg.line, False)
+    free = leg_line(draft, plan, turn, third, known_image(plan, closing, third), letter)
+    point = draft.draw(meet, letter, free, across, free=True, why=why.BOTH_EQUATIONS)
+    read(draft, plan, special.leg, at, point, across)
+    _hang_plate(positions, plan, closing, special, at, point)
+    for leg, line in zip((*closing.crossing, third), (*lines, free), strict=True):
+        pin = _pin_image(plan, closing, leg)
+        read(draft, plan, leg, draft.uses(line)[0], pin, line)
+        hang_leg(positions, plan, closing, leg, pin)
+
+
+def plate_accelerations(
+    draft: Draft, positions: Positions, velocities: Motion, plan: Motion, closing: PlateClosing
+) -> None:
+    """Draw the accelerations of a plate on three legs, and of these."""
+    special = special_point(draft, closing)
+    draft.say(closing.group.formula)
+    image, third = special.leg.letter.lower(), closing.third
+    free = [free_line(draft, velocities, plan, closing, leg) for leg in closing.crossing]
+    lines = [
+        _beyond(draft, velocities, closing, special, k, line, image) for k, line in enumerate(free)
+    ]
+    at = draft.draw(meet, image, lines[1], lines[0], free=True, why=why.SPECIAL_ACCELERATION)
+    body = positions.bodies[closing.group.plate]
+    plan.images.hang(body, Hanging(special.point, at, None), {special.leg.letter: at})
+    across = tangential_line(draft, velocities, plan, closing.image_of(third), special.leg)
+    free.append(free_line(draft, velocities, plan, closing, third))
+    point = draft.draw(
+        meet, closing.image_of(third), free[2], across, free=True, why=why.BOTH_EQUATIONS
+    )
+    read_tangential(draft, plan, special.leg, point, across)
+    _hang_plate(positions, plan, closing, special, at, point)
+    for leg, line in zip((*closing.crossing, third), free, strict=True):
+        pin = _pin_image(plan, closing, leg)
+        read_along(draft, plan, closing, leg, pin, line)
+        hang_leg(positions, plan, closing, leg, pin)
+
+
+def _beyond(
+    draft: Draft,
+    velocities: Motion,
+    closing: PlateClosing,
+    special: SpecialPoint,
+    k: int,
+    free: Mark,
+    image: str,
+) -> Mark:
+    """Lay off what the special point has besides a pin along the line of both; draw the line left free."""
+    leg, line, start = closing.crossing[k], special.lines[k], draft.uses(free)[0]
+    if not velocities.possible:
+        letter, pin = f"n{closing.group.plate}{closing.image_of(leg)}", closing.pin_letter(leg)
+        view = draft.view
+        draft.open(SPECIAL_POINTS)
+        apart = draft.draw(
+            measure_along,
+            f"{pin}{special.leg.letter}",
+            closing.pin(leg),
+            special.point,
+            line,
+            why=why.OF_THE_PLATE,
+        )
+        draft.open(view)
+        segment = between(start, letter)
+        omega = velocities.rates[closing.group.plate]
+        length = draft.draw(normal_at, segment, omega, apart)
+        component(draft, length, "n", image, pin)
+        inward = draft.draw(
+            parallel, f"({segment})", start, line, sense=-1, why=why.TO_THE_OTHER_POINT
+        )
+        start = draft.draw(lay_off, letter, inward, length, free=True, why=why.VECTOR)
+    name, because = f"({between(start, image)})", why.TANGENTIAL
+    return draft.draw(square, name, start, line, sense=1, why=because)
+
+
+def _hang_plate(
+    positions: Positions,
+    plan: Motion,
+    closing: PlateClosing,
+    special: SpecialPoint,
+    at: Mark,
+    point: Mark,
+) -> None:
+    """Enter the plate into the plan's images: by its special point and the pin on its third leg."""
+    plan.closed[closing.group.name] = point
+    base = Base(special.point, closing.point, at, point)
+    body = positions.bodies[closing.group.plate]
+    plan.images.hang(body, Hanging(special.point, at, base), {closing.letter: point})
+    plan.images.complete(body)
+
+
+def _pin_image(plan: Motion, closing: PlateClosing, leg: ClosingLeg) -> Mark:
+    return plan.images.by_letter[closing.group.plate][closing.pin_letter(leg)]
