@@ -107,28 +107,34 @@ AssurGroup = Group | PlateGroup
 """A group of any class that this board draws."""
 
 
-def class_two(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
-    """Yield groups in the order of attachment; StructureError of one that a room does not treat."""
+def known_groups(groups: Iterable[AssurGroup], room: str) -> Iterator[AssurGroup]:
+    """Yield groups of all classes in the order of attachment; StructureError of one that is not known."""
     for group in groups:
         match group:
-            case Group(kind=1 | 2 | 3 | 4 | 5):
+            case Group(kind=1 | 2 | 3 | 4 | 5) | PlateGroup():
                 yield group
-            case PlateGroup():
-                raise StructureError(
-                    said(
-                        "group {name} is of class III, of which this is not drawn: leave it out",
-                        name=group.name,
-                    ),
-                    *(f"link {number}" for number in group.links),
-                    head=room,
-                )
             case _:
                 untreated(group.kind, group, room)
 
 
-def of_class_two(groups: Iterable[AssurGroup]) -> Iterator[Group]:
-    """Yield the groups of two links: each has a side of its own."""
-    return (group for group in groups if isinstance(group, Group))
+def of_two_links(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
+    """Yield the groups of two links alone: what is done to these cannot be done to others."""
+    return (group for group in known_groups(groups, room) if isinstance(group, Group))
+
+
+def class_two(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
+    """Yield groups of two links; StructureError of one of another class."""
+    for group in known_groups(groups, room):
+        if isinstance(group, PlateGroup):
+            raise StructureError(
+                said(
+                    "group {name} is of class III, of which this is not drawn: leave it out",
+                    name=group.name,
+                ),
+                *(f"link {number}" for number in group.links),
+                head=room,
+            )
+        yield group
 
 
 def untreated(kind: Never, group: Group, room: str) -> NoReturn:

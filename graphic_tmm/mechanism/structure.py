@@ -13,7 +13,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.attachment import Attachment
 from graphic_tmm.mechanism.driven import Driven, driven_pairs
-from graphic_tmm.mechanism.groups import AssurGroup, Pair
+from graphic_tmm.mechanism.groups import AssurGroup, Pair, known_groups
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.wheels import Rolling, bearers, in_order, meshing, rolling
 
@@ -45,7 +45,11 @@ class Structure(NamedTuple):
     @property
     def attached(self) -> Iterator[AssurGroup | Rolling]:
         """Groups and wheels in the order of attachment."""
-        return in_order(self.groups, self.wheels, [one.after for one in self.wheels])
+        return in_order(
+            tuple(known_groups(self.groups, "formula")),
+            self.wheels,
+            [one.after for one in self.wheels],
+        )
 
     @property
     def formula(self) -> str:
@@ -142,9 +146,9 @@ def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
             )
     return StructureError(
         said(
-            "links {names} make a group of class III or higher, or are tied to each other "
-            "only: this board draws groups of class II (two links, three pairs); check the "
-            "letters and slides of these links",
+            "links {names} make a group of class IV or higher, or are tied to each other "
+            "only: this board draws groups of class II (two links, three pairs) and of class III where "
+            "three links hold one plate; check the letters and slides of these links",
             names=names,
         ),
         *keys,

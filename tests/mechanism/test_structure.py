@@ -16,6 +16,7 @@ from support.gallery import SHEETS
 from support.mechanisms import KINDS, Sampled, mechanisms, sample
 
 from graphic_tmm.errors import StructureError
+from graphic_tmm.mechanism.groups import PlateGroup
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.scene.read import read
@@ -178,16 +179,26 @@ WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
         mechanism(*FOUR_BAR, link(4, "XY")),
         ("link 4 is tied to nothing", "slide"),
     ),
-    "class III": (
+    "class IV": (
         mechanism(
             link(1, "OA"),
-            link(2, "AB"),
-            link(3, "BDE"),
-            link(4, "DC"),
-            link(5, "EF"),
-            frame=Link(0, {"O": 0j, "C": 4j, "F": 5 + 0j}),
+            link(2, "ABE"),
+            link(3, "BD"),
+            link(4, "EF"),
+            link(5, "DFC"),
+            frame=Link(0, {"O": 0j, "C": 4j}),
         ),
-        ("2, 3, 4, 5", "class III"),
+        ("2, 3, 4, 5", "class IV"),
+    ),
+    "three links that slide hold a plate": (
+        mechanism(
+            link(1, "OA"),
+            link(2, "B", Slide(1, X)),
+            link(3, "BDE"),
+            link(4, "D", Slide(0, Y)),
+            link(5, "E", Slide(0, X)),
+        ),
+        ("links 2, 4, 5 and 3", "turns about what stands already"),
     ),
     "two shared letters": (
         mechanism(link(1, "OA"), link(2, "AB"), link(3, "AB")),
@@ -265,6 +276,25 @@ def test_the_links_may_stand_in_any_order_and_the_message_tells_the_same(name: s
             dissect(Mechanism(wrong.frame, links, wrong.drive))
         told.append(sorted(re.findall(r"[^\W\d]+", str(caught.value))))
     assert told[0] == told[1]
+
+
+def test_a_plate_on_three_legs_is_a_group_of_class_three() -> None:
+    links = link(1, "OA"), link(2, "AB"), link(3, "BDE"), link(4, "DC"), link(5, "EF")
+    frame = Link(0, {"O": 0j, "C": 4j, "F": 5 + 0j})
+    for row in (links, links[::-1]):
+        structure = dissect(Mechanism(frame, row, Drive(1, 1.0)))
+        (group,) = structure.groups
+        assert isinstance(group, PlateGroup)
+        assert (group.plate, [leg.link for leg in group.legs]) == (3, [2, 4, 5])
+        assert structure.formula == "I(1) → III(2-3-4-5)"
+
+
+def test_a_dyad_comes_before_a_plate_and_behind_it() -> None:
+    links = link(1, "OA"), link(2, "AB"), link(3, "BDE"), link(4, "DC"), link(5, "EF")
+    more = link(6, "AG"), link(7, "GH"), link(8, "BK"), link(9, "KL")
+    frame = Link(0, {"O": 0j, "C": 4j, "F": 5 + 0j, "H": 6j, "L": 7j})
+    formula = dissect(Mechanism(frame, (*links, *more), Drive(1, 1.0))).formula
+    assert formula == "I(1) → II(6-7) → III(2-3-4-5) → II(8-9)"
 
 
 def test_a_frame_of_guides_alone_is_asked_for_a_point() -> None:

@@ -55,7 +55,7 @@ def held(lies: Line, c: Complexes, f: Complexes, second: Complexes, third: Compl
     )
 
 
-def turned(direction: Complexes, angle: Reals) -> Complexes:
+def turned_by(direction: Complexes, angle: Reals) -> Complexes:
     """Return a direction turned by about an angle, radians; it stays of length 1."""
     half = 0.5 * angle
     square = half * half
@@ -78,7 +78,7 @@ def _corrected(
     share = 1.0 / (second_swing * third_turn - third_swing * second_turn)
     by_leg = (off.imag * second_turn - off.real * third_turn) * share
     by_plate = (off.real * third_swing - off.imag * second_swing) * share
-    return Line(turned(lies.at, by_leg), turned(lies.along, by_plate))
+    return Line(turned_by(lies.at, by_leg), turned_by(lies.along, by_plate))
 
 
 def on_arcs(lies: Line, first: Arc, second: Arc, third: Arc, c: Complexes, f: Complexes) -> Line:

@@ -298,7 +298,7 @@ def _solve(
     for couple in (*loads.couples, *rubbing.couples):
         acting.add(couple)
     groups = list[Solved | SolvedWheel]()
-    for closing in reversed(tuple(attached(ground.positions))):
+    for closing in reversed(tuple(attached(ground.positions, FORCES))):
         if isinstance(closing, Meshed):
             of = Solution((closing.leg.link,), tried)
             wheel = solve_wheel(figures.of(closing.leg.link), closing, acting, of)

@@ -113,16 +113,16 @@ def read_along(
     if isinstance(leg, PinLeg):
         read_tangential(draft, plan, leg, point, line)
     elif draft.uses(line)[0] == plan.images.pole:
-        plan.readings[leg.link] = read(draft, point, line, why.ABSOLUTE_ACCELERATION)
+        plan.readings[leg.link] = read_segment(draft, point, line, why.ABSOLUTE_ACCELERATION)
         plan.measured.add(point)
     else:
-        length = read(draft, point, line, why.RELATIVE_READ)
+        length = read_segment(draft, point, line, why.RELATIVE_READ)
         component(draft, length, "r", point.name, known_image(plan, closing, leg).name)
 
 
 def read_tangential(draft: Draft, plan: Motion, leg: PinLeg, point: Mark, line: Mark) -> None:
     """Read the tangential component of a leg, and ε of its link by it."""
-    segment = read(draft, point, line, why.TANGENTIAL_READ)
+    segment = read_segment(draft, point, line, why.TANGENTIAL_READ)
     component(draft, segment, "t", point.name, leg.letter)
     plan.rates[leg.link] = draft.draw(
         rate, f"ε_{leg.link}", segment, leg.length, unit="1/s²", why=why.EPSILON
@@ -131,7 +131,7 @@ def read_tangential(draft: Draft, plan: Motion, leg: PinLeg, point: Mark, line: 
         plan.rates[leg.rod] = plan.rates[leg.link]
 
 
-def read(draft: Draft, point: Mark, line: Mark, because: str) -> Mark:
+def read_segment(draft: Draft, point: Mark, line: Mark, because: str) -> Mark:
     """Measure from where a line begins to the point on it."""
     start = draft.uses(line)[0]
     return draft.draw(measure_along, between(start, point.letter), start, point, line, why=because)

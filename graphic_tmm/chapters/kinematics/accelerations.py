@@ -14,8 +14,8 @@ from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.acceleration_lines import (
     free_line,
-    read,
     read_along,
+    read_segment,
     read_tangential,
     tangential_line,
 )
@@ -63,7 +63,7 @@ def draw_accelerations(
             pair.hold(positions, plan)
         else:
             pair.acceleration(draft, positions, velocities, plan)
-    for one in attached(positions):
+    for one in attached(positions, VIEW):
         if isinstance(one, Meshed):
             _wheel(draft, positions, velocities, plan, one)
         elif isinstance(one, PlateClosing):
@@ -101,9 +101,13 @@ def _wheel(
         along = draft.draw(parallel, name, start, leg.line, sense=1, why=because)
     point = draft.draw(meet, letter, along, across, free=True, why=why.BOTH_EQUATIONS)
     if span and turns:
-        component(draft, read(draft, point, along, why.TANGENTIAL_READ), "t", letter, span.letter)
+        component(
+            draft, read_segment(draft, point, along, why.TANGENTIAL_READ), "t", letter, span.letter
+        )
     elif start != plan.images.pole:
-        component(draft, read(draft, point, along, why.RELATIVE_READ), "r", letter, start.name)
+        component(
+            draft, read_segment(draft, point, along, why.RELATIVE_READ), "r", letter, start.name
+        )
     read_tangential(draft, plan, leg, point, across)
     hang_wheel(positions, plan, wheel, pivot_image(plan, leg), point)
 

@@ -16,7 +16,7 @@ from graphic_tmm.board.grammar import Gap
 from graphic_tmm.board.operations.locus import narrow
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Reals
-from graphic_tmm.chapters.kinematics.closings import of_two_links
+from graphic_tmm.chapters.kinematics.closings import two_legged
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.winding import STEPS
@@ -75,7 +75,7 @@ class Assembly(NamedTuple):
 def closures(survey: Survey) -> tuple[Closure, ...]:
     """Return the steps that close the groups, with their gaps."""
     found = []
-    for closing in of_two_links(survey.positions.closings):
+    for closing in two_legged(survey.positions.closings, "assembly"):
         step = survey.construction.step(closing.root)
         assert step is not None
         found += [Closure(closing.group, step, gap) for gap in step.op.gaps]

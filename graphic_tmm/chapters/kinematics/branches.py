@@ -88,7 +88,7 @@ class Search:
         return sorted(found, key=lambda one: float(np.angle(one.along)[0, 0]))
 
     def follow(self, start: Line, at: float) -> Branch:
-        """Return a place followed from a coordinate all over the sweep, or to where it meets another."""
+        """Return a place followed_plate from a coordinate all over the sweep, or to where it meets another."""
         sweep = self.sweep
         way = sweep.high - sweep.low
         ends = (at - way, at + way) if sweep.closed else (sweep.low, sweep.high)
@@ -102,6 +102,8 @@ class Search:
             nodes = ahead
         else:
             nodes = [*reversed(self._run(start, at, ends[0])[1:]), *ahead]
+            if sweep.closed and last[0] - nodes[0][0] >= way:
+                raise self._elsewhere()
             whole = not sweep.closed and nodes[0][0] <= ends[0] and last[0] >= ends[1]
         row = np.array([node[0] for node in nodes])
         lies = Line(*(np.concatenate([node[1][k] for node in nodes], axis=1) for k in (0, 1)))
@@ -291,7 +293,7 @@ def _begun(search: Search, near: Near | None) -> tuple[float, list[Line]]:
     return sweep.low, []
 
 
-def followed(wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
+def followed_plate(wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
     """Return the place that a scene means of a plate, followed all over what the first drive goes through."""
     draft, near = wheels.draft, plate.link.near
     log, sweep = draft.board.construction(), wheels.pairs[0].sweep

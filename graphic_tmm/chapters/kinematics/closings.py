@@ -11,7 +11,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import Group, Pair, PlateGroup, class_two
+from graphic_tmm.mechanism.groups import Group, Pair, PlateGroup, class_two, known_groups
 from graphic_tmm.mechanism.records import Sweep
 
 
@@ -191,29 +191,36 @@ AnyClosing = Closing | PlateClosing
 """What a group of any class leaves."""
 
 
-def dyads(closings: Iterable[AnyClosing], room: str) -> Iterator[Closing]:
-    """Yield groups of two legs in the order of attachment; StructureError of one that a room does not treat."""
+def groups_of(closings: Iterable[AnyClosing], room: str) -> Iterator[AnyClosing]:
+    """Yield groups of all classes in the order of attachment; StructureError of one that is not known."""
     closings = tuple(closings)
-    for group in class_two((closing.group for closing in closings), room):
-        closing = next(one for one in closings if one.group is group)
-        assert isinstance(closing, Closing)
-        yield closing
-
-
-def of_two_links(closings: Iterable[AnyClosing]) -> Iterator[Closing]:
-    """Yield the groups of two links alone: what is told of these cannot happen to others."""
-    return (closing for closing in closings if isinstance(closing, Closing))
-
-
-def legs_of(closings: Iterable[AnyClosing], room: str) -> Iterator[tuple[AnyClosing, ClosingLeg]]:
-    """Yield the legs of groups of all classes, each beside its group; StructureError of a strange one."""
-    for closing in closings:
+    known = known_groups((one.group for one in closings), room)
+    for closing, _ in zip(closings, known, strict=True):
         for leg in closing.legs:
             match leg:
                 case PinLeg() | GuideLeg():
-                    yield closing, leg
+                    pass
                 case _:
                     unheld(leg, room)
+        yield closing
+
+
+def two_legged(closings: Iterable[AnyClosing], room: str) -> Iterator[Closing]:
+    """Yield the groups of two links alone: what is asked of these cannot be asked of others."""
+    return (one for one in groups_of(closings, room) if isinstance(one, Closing))
+
+
+def dyads(closings: Iterable[AnyClosing], room: str) -> Iterator[Closing]:
+    """Yield groups of two links; StructureError of one of another class."""
+    closings = tuple(closings)
+    refused = class_two((one.group for one in closings), room)
+    for closing, _ in zip(two_legged(closings, room), refused, strict=True):
+        yield closing
+
+
+def legs_of(closings: Iterable[AnyClosing], room: str) -> Iterator[tuple[AnyClosing, ClosingLeg]]:
+    """Yield the legs of groups of all classes, each beside its group."""
+    return ((closing, leg) for closing in groups_of(closings, room) for leg in closing.legs)
 
 
 def outer_guides(

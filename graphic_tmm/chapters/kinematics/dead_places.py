@@ -14,7 +14,7 @@ from graphic_tmm.board.geometry import wedge
 from graphic_tmm.board.operations.instruments import meet
 from graphic_tmm.board.operations.locus import narrow
 from graphic_tmm.board.values import Reals, undefined
-from graphic_tmm.chapters.kinematics.closings import PinLeg, of_two_links
+from graphic_tmm.chapters.kinematics.closings import PinLeg, two_legged
 from graphic_tmm.chapters.kinematics.fit import coordinate_text
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.survey import Survey
@@ -44,7 +44,7 @@ def dead_places(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield, as sentences, the positions in which a drive that slides is at a dead place; parallel guides."""
     yield from _locked(drawn, language)
     plans, _ = KINEMATICS_PLAN.on(drawn), speaking(language)
-    for closing in of_two_links(plans.positions.closings):
+    for closing in two_legged(plans.positions.closings, VELOCITIES):
         for place in _parallel(plans.tried, closing.group.name, plans.ends):
             yield _(
                 PARALLEL, at=coordinate_text(place, plans.tried.sweep), group=closing.group.name
@@ -79,7 +79,7 @@ def _locked(drawn: Drawn, language: str) -> Iterator[str]:
     if plans.velocities is None or reading is None:
         return
     sliders = {pair.link for pair in plans.pairs if pair.pair.kind == "P"}
-    for closing in of_two_links(plans.positions.closings):
+    for closing in two_legged(plans.positions.closings, VELOCITIES):
         first, second = closing.legs
         for leg, other in ((first, second), (second, first)):
             if not (isinstance(leg, PinLeg) and isinstance(other, PinLeg)):

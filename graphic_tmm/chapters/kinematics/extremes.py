@@ -30,7 +30,7 @@ from graphic_tmm.chapters.kinematics.task import EXTREMES as VIEW
 from graphic_tmm.chapters.kinematics.winding import STEPS
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import Said, said
-from graphic_tmm.mechanism.groups import Group, of_class_two
+from graphic_tmm.mechanism.groups import Group, of_two_links
 from graphic_tmm.mechanism.guides import level
 from graphic_tmm.mechanism.records import Extreme, Sweep
 
@@ -80,7 +80,7 @@ def draw_extreme(draft: Draft, survey: Survey, frame: Body, wanted: Wanted, tag:
     draft.open(VIEW)
     if draft.board.construction().view(VIEW) is None:
         draft.lay_out(frame.marks[survey.structure.origin], draft.mu_l)
-    group = next(of_class_two(survey.structure.groups[:1]), None)
+    group = next(of_two_links(survey.structure.groups[:1], VIEW), None)
     alone = len(survey.pairs) == 1 and survey.sweep.turns
     draw = _CONSTRUCTIONS.get(group.kind) if alone and group else None
     if draw is not None and group is not None and _on_crank_and_frame(survey, group):
@@ -257,7 +257,7 @@ def _on_crank_and_frame(survey: Survey, group: Group) -> bool:
 
 def _first(survey: Survey) -> Group:
     """Return the first group, of two links."""
-    return next(of_class_two(survey.structure.groups))
+    return next(of_two_links(survey.structure.groups, VIEW))
 
 
 def _probe(probe: Draft, survey: Survey, frame: Body, choice: int) -> float:

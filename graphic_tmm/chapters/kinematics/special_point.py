@@ -39,7 +39,7 @@ from graphic_tmm.chapters.kinematics.motion import (
     known_image,
 )
 from graphic_tmm.chapters.kinematics.task import SPECIAL_POINTS, VELOCITIES
-from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read, stands
+from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read_leg, stands
 
 
 class SpecialPoint(NamedTuple):
@@ -110,11 +110,11 @@ def plate_velocities(
     across = turn.across(f"({between(at, letter)})", at, special.leg.line, False)
     free = leg_line(draft, plan, turn, third, known_image(plan, closing, third), letter)
     point = draft.draw(meet, letter, free, across, free=True, why=why.BOTH_EQUATIONS)
-    read(draft, plan, special.leg, at, point, across)
+    read_leg(draft, plan, special.leg, at, point, across)
     _hang_plate(positions, plan, closing, special, at, point)
     for leg, line in zip((*closing.crossing, third), (*lines, free), strict=True):
         pin = _pin_image(plan, closing, leg)
-        read(draft, plan, leg, draft.uses(line)[0], pin, line)
+        read_leg(draft, plan, leg, draft.uses(line)[0], pin, line)
         hang_leg(positions, plan, closing, leg, pin)
 
 

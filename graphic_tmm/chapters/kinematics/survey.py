@@ -14,7 +14,7 @@ from graphic_tmm.board.operations.instruments import measure_along, ray
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.branches import followed
+from graphic_tmm.chapters.kinematics.branches import followed_plate
 from graphic_tmm.chapters.kinematics.closings import (
     AnyClosing,
     Branch,
@@ -22,6 +22,7 @@ from graphic_tmm.chapters.kinematics.closings import (
     ClosingLeg,
     GuideLeg,
     PinLeg,
+    groups_of,
     unheld,
 )
 from graphic_tmm.chapters.kinematics.drives import driven, follow
@@ -40,7 +41,7 @@ from graphic_tmm.chapters.kinematics.wheels import Wheels, Winding
 from graphic_tmm.chapters.kinematics.winding import STEPS, winding
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import PlateGroup, of_class_two
+from graphic_tmm.mechanism.groups import PlateGroup, of_two_links
 from graphic_tmm.mechanism.records import TURN, Mechanism, Sweep
 from graphic_tmm.mechanism.structure import Structure
 
@@ -151,7 +152,7 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
     branches: dict[str, Branch] = {}
 
     def branch(wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
-        branches[group.name] = followed(wheels, group, plate)
+        branches[group.name] = followed_plate(wheels, group, plate)
         return branches[group.name]
 
     positions = draw_positions(draft, mechanism, structure, frame, row, wound, branch)
@@ -186,7 +187,7 @@ def _steady(mechanism: Mechanism, structure: Structure) -> tuple[Mechanism, Stru
 
 
 def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
-    for group in of_class_two(structure.groups):
+    for group in of_two_links(structure.groups, "assembly"):
         if group.kind > 3 or side_record(mechanism, group) is not None:
             continue
         if group.kind == 1:
@@ -214,7 +215,7 @@ def _refuse_missing_sides(mechanism: Mechanism, structure: Structure) -> None:
 
 
 def _refuse_strange_sides(mechanism: Mechanism, structure: Structure) -> None:
-    for group in of_class_two(structure.groups):
+    for group in of_two_links(structure.groups, "assembly"):
         if group.kind != 1:
             continue
         a, c = (leg.pair.name for leg in group.legs)
@@ -279,7 +280,11 @@ def least_angle(tried: Survey, ends: tuple[float, float] | None = None) -> float
     a four-bar that between coupler and rocker, of a slider that between its rod and what is square to its
     guide, of a stone that between its guide and what is square to the arm of the link that it slides on.
     """
-    crossings = [two for closing in tried.positions.closings for two in _crossings(tried, closing)]
+    crossings = [
+        two
+        for closing in groups_of(tried.positions.closings, TRANSMISSION)
+        for two in _crossings(tried, closing)
+    ]
     reading = tried.whole([leg.line for two in crossings for leg in two], ends)[1]
     with np.errstate(all="ignore"):
         sines = [float(np.nanmin(_sine(reading, *two), initial=np.inf)) for two in crossings]
@@ -297,7 +302,7 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     first = tried.pairs[0]
     crank = first.arm_ends(tried.positions)
     closed = tried.velocities.closed
-    groups = [(c, closed[c.group.name]) for c in tried.positions.closings]
+    groups = [(c, closed[c.group.name]) for c in groups_of(tried.positions.closings, TRANSMISSION)]
     crossings = [two for closing, _ in groups for two in _crossings(tried, closing)]
     lines = [leg.line for two in crossings for leg in two]
     row = angles.astype(np.float64)[None, :]

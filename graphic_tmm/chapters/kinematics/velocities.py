@@ -32,7 +32,7 @@ from graphic_tmm.chapters.kinematics.motion import (
     pivot_image,
 )
 from graphic_tmm.chapters.kinematics.special_point import plate_velocities
-from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read, stands
+from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read_leg, stands
 from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
@@ -62,7 +62,7 @@ def draw_velocities(
             pair.hold(positions, plan)
         else:
             pair.velocity(positions, plan, turn)
-    for one in attached(positions):
+    for one in attached(positions, VIEW):
         if isinstance(one, Meshed):
             _wheel(draft, positions, plan, turn, one)
         elif isinstance(one, PlateClosing):
@@ -73,7 +73,7 @@ def draw_velocities(
     for leg, start, point in passive_legs(positions, plan):
         fixed = start == pole
         line = turn.across(f"({between(start, point.letter)})", start, leg.line, fixed)
-        read(draft, plan, leg, start, point, line)
+        read_leg(draft, plan, leg, start, point, line)
     measure_absolute(draft, plan, positions)
     return plan
 
@@ -105,7 +105,7 @@ def _wheel(
         draft.draw(measure, between(pole, image.letter), pole, image, why=why.ABSOLUTE_VELOCITY)
         plan.measured.add(image)
     line = turn.across(f"({between(start, image.letter)})", start, leg.line, start == pole)
-    read(draft, plan, leg, start, image, line)
+    read_leg(draft, plan, leg, start, image, line)
     hang_wheel(positions, plan, wheel, start, image)
 
 
@@ -134,7 +134,7 @@ def _on_arm(
         lines[0],
         why=why.RELATIVE_VELOCITY,
     )
-    read(draft, plan, wheel.leg, start, image, lines[1])
+    read_leg(draft, plan, wheel.leg, start, image, lines[1])
     hang_wheel(positions, plan, wheel, start, image)
 
 
@@ -157,5 +157,5 @@ def _group(
         lines.append(line)
     point = draft.draw(meet, letter, lines[1], lines[0], free=True, why=why.BOTH_EQUATIONS)
     for leg, start, line in zip(closing.legs, starts, lines, strict=True):
-        read(draft, plan, leg, start, point, line)
+        read_leg(draft, plan, leg, start, point, line)
     hang_group(positions, plan, closing, point)

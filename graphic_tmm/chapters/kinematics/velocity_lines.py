@@ -101,7 +101,9 @@ def _rod_out(draft: Draft, plan: Motion, turn: VelocityLines, leg: PinLeg, start
     return end
 
 
-def read(draft: Draft, plan: Motion, leg: ClosingLeg, start: Mark, point: Mark, line: Mark) -> None:
+def read_leg(
+    draft: Draft, plan: Motion, leg: ClosingLeg, start: Mark, point: Mark, line: Mark
+) -> None:
     """Read the segment that a leg leaves free, from where its line begins; of what turns, ω."""
     name, fixed = between(start, point.letter), start == plan.images.pole
     because = why.ABSOLUTE_VELOCITY if fixed else why.RELATIVE_VELOCITY

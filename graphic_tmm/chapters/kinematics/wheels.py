@@ -32,7 +32,7 @@ from graphic_tmm.chapters.kinematics.bodies import (
     draw_points,
     stand,
 )
-from graphic_tmm.chapters.kinematics.closings import AnyClosing, PinLeg
+from graphic_tmm.chapters.kinematics.closings import AnyClosing, PinLeg, groups_of
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.drives.rack import Rack
@@ -271,7 +271,7 @@ class Wheels:
         return draft.draw(bearing_near, f"φ_{number}", axis, near, unit="°")
 
 
-def attached(positions: Positions) -> Iterator[AnyClosing | Meshed]:
+def attached(positions: Positions, room: str) -> Iterator[AnyClosing | Meshed]:
     """Yield groups of all classes and wheels in the order of attachment."""
-    groups, wheels = positions.closings, positions.wheels
+    groups, wheels = tuple(groups_of(positions.closings, room)), positions.wheels
     return in_order(groups, wheels, [one.rolling.after for one in wheels])

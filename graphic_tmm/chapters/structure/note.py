@@ -20,7 +20,7 @@ from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.chapters.structure.views_replacing import replacing_views
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
-from graphic_tmm.mechanism.groups import PlateGroup, of_class_two
+from graphic_tmm.mechanism.groups import PlateGroup, of_two_links
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.note.bricks import in_columns, referred, side_by_side
 from graphic_tmm.note.calculations import without_letters
@@ -126,7 +126,7 @@ class StructurePage(Page[Structure]):
         rods = {one.name for one in driven if one.telescopes}
         if rods:
             yield self.says(TELESCOPED)
-        kinds = {group.name: group.kind for group in of_class_two(structure.groups)}
+        kinds = {group.name: group.kind for group in of_two_links(structure.groups, PARTS)}
         plates = {one.name: one.plate for one in structure.groups if isinstance(one, PlateGroup)}
         called = dict.fromkeys(rods, DRIVEN_ROD)
         called |= {one.name: BELTED if one.mesh.belted else WHEEL for one in structure.wheels}

@@ -1,0 +1,337 @@
+"""Random mechanisms with a plate on three legs, as scenes, and their motion by constraints of single bodies.
+
+A body is (x, y, θ); a turning pair makes two of its points one, a sliding pair keeps a point on a line and an
+angle. Nothing is known here of groups, arcs or special points.
+"""
+
+from __future__ import annotations
+
+import cmath
+import math
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+Reals = np.ndarray
+
+
+class Pin(NamedTuple):
+    """A turning pair: points of two bodies, in their own axes, are one."""
+
+    first: int
+    a: complex
+    second: int
+    b: complex
+
+
+class Guide(NamedTuple):
+    """A sliding pair: a point of the first body keeps to a line of the second, the angle between both stays."""
+
+    first: int
+    a: complex
+    second: int
+    through: complex
+    angle: float
+
+
+@dataclass
+class Bodies:
+    """Bodies (the frame is 0, the crank 1) with their pairs; poses (complex place, angle) by number."""
+
+    pins: list[Pin] = field(default_factory=list)
+    guides: list[Guide] = field(default_factory=list)
+    poses: dict[int, tuple[complex, float]] = field(default_factory=dict)
+
+    def place(self, q: Reals, body: int, own: complex) -> complex:
+        """Return where a point of a body stands."""
+        z, angle = self._pose(q, body)
+        return z + own * cmath.exp(1j * angle)
+
+    def _pose(self, q: Reals, body: int) -> tuple[complex, float]:
+        if body == 0:
+            return 0j, 0.0
+        x, y, angle = q[3 * body - 3 : 3 * body]
+        return complex(x, y), float(angle)
+
+    def start(self) -> Reals:
+        """Return the poses as one row of numbers."""
+        return np.array([part for k in sorted(self.poses) for part in self._row(k)])
+
+    def _row(self, k: int) -> tuple[float, float, float]:
+        z, angle = self.poses[k]
+        return z.real, z.imag, angle
+
+    def equations(self, q: Reals, phi: float) -> tuple[Reals, Reals]:
+        """Return what should be zero, and its derivatives."""
+        rows: list[float] = []
+        slopes: list[Reals] = []
+
+        def note(value: float, *parts: tuple[int, complex, complex, complex]) -> None:
+            # parts: body, own point turned, the direction that counts, sign
+            row = np.zeros(q.size)
+            for body, arm, way, sign in parts:
+                if body:
+                    at = 3 * body - 3
+                    row[at] += (way.conjugate() * sign).real
+                    row[at + 1] += (way.conjugate() * 1j * sign).real
+                    row[at + 2] += (way.conjugate() * 1j * arm * sign).real
+            rows.append(value)
+            slopes.append(row)
+
+        for pin in self.pins:
+            arms = [
+                own * cmath.exp(1j * self._pose(q, k)[1])
+                for k, own in ((pin.first, pin.a), (pin.second, pin.b))
+            ]
+            gap = self.place(q, pin.first, pin.a) - self.place(q, pin.second, pin.b)
+            for way in (1 + 0j, 1j):
+                value = (way.conjugate() * gap).real
+                note(value, (pin.first, arms[0], way, 1), (pin.second, arms[1], way, -1))
+        for one in self.guides:
+            (z1, t1), (z2, t2) = (self._pose(q, k) for k in (one.first, one.second))
+            normal = 1j * cmath.exp(1j * (t2 + one.angle))
+            arm, through = one.a * cmath.exp(1j * t1), one.through * cmath.exp(1j * t2)
+            gap = z1 + arm - z2 - through
+            value = (normal.conjugate() * gap).real
+            note(value, (one.first, arm, normal, 1), (one.second, through + gap, normal, -1))
+            turned = np.zeros(q.size)
+            for body, sign in ((one.first, 1.0), (one.second, -1.0)):
+                if body:
+                    turned[3 * body - 1] = sign
+            rows.append(t1 - t2 - self._angle(one))
+            slopes.append(turned)
+        drive = np.zeros(q.size)
+        drive[2] = 1.0
+        rows.append(float(q[2]) - phi)
+        slopes.append(drive)
+        return np.array(rows), np.array(slopes)
+
+    def _angle(self, one: Guide) -> float:
+        first, second = (self.poses[k][1] if k else 0.0 for k in (one.first, one.second))
+        return first - second
+
+    def settle(self, q: Reals, phi: float) -> Reals | None:
+        """Return the poses at an angle of the crank, from near ones; None if there are none."""
+        for _ in range(25):
+            value, slope = self.equations(q, phi)
+            try:
+                step = np.linalg.solve(slope, value)
+            except np.linalg.LinAlgError:
+                return None
+            q = q - step
+            if np.abs(step).max() > 2.0:
+                return None
+            if np.abs(step).max() < 1e-14:
+                break
+        value, _ = self.equations(q, phi)
+        return q if np.abs(value).max() < 1e-12 else None
+
+    def rates(self, q: Reals, omega: float) -> tuple[Reals, Reals, float]:
+        """Return velocities and accelerations of the poses at an even speed, and how badly they hang on it."""
+        _, slope = self.equations(q, float(q[2]))
+        right = np.zeros(len(slope))
+        right[-1] = omega
+        first = np.linalg.solve(slope, right)
+        second = np.linalg.solve(slope, -self._bent(q, first))
+        return first, second, float(np.linalg.cond(slope))
+
+    def _bent(self, q: Reals, v: Reals) -> Reals:
+        """Return what each equation gains by the motion alone, with no accelerations."""
+        found: list[float] = []
+
+        def pose(body: int) -> tuple[complex, complex, float, float]:
+            if body == 0:
+                return 0j, 0j, 0.0, 0.0
+            at = 3 * body - 3
+            return (
+                complex(*q[at : at + 2]),
+                complex(*v[at : at + 2]),
+                float(q[at + 2]),
+                float(v[at + 2]),
+            )
+
+        for pin in self.pins:
+            gain = 0j
+            for body, own, sign in ((pin.first, pin.a, 1), (pin.second, pin.b, -1)):
+                _, _, angle, omega = pose(body)
+                gain -= sign * omega**2 * own * cmath.exp(1j * angle)
+            found += [gain.real, gain.imag]
+        for one in self.guides:
+            z1, v1, t1, w1 = pose(one.first)
+            z2, v2, t2, w2 = pose(one.second)
+            normal = 1j * cmath.exp(1j * (t2 + one.angle))
+            arm, through = one.a * cmath.exp(1j * t1), one.through * cmath.exp(1j * t2)
+            gap, speed = z1 + arm - z2 - through, v1 + 1j * w1 * arm - v2 - 1j * w2 * through
+            bent = -(w1**2) * arm + w2**2 * through
+            turned, twice = 1j * w2 * normal, -(w2**2) * normal
+            found.append(
+                (
+                    twice.conjugate() * gap
+                    + 2 * turned.conjugate() * speed
+                    + normal.conjugate() * bent
+                ).real
+            )
+            found.append(0.0)
+        return np.array([*found, 0.0])
+
+
+class Machine(NamedTuple):
+    """A random mechanism: its scene, its bodies, letters by body with their places in it, where it was laid."""
+
+    text: str
+    bodies: Bodies
+    letters: dict[tuple[str, int], complex]
+    phi: float
+    links: tuple[int, ...]
+
+
+def machine(  # noqa: C901
+    seed: int, *, guides: int = 0, before: bool = False, behind: bool = False
+) -> Machine:
+    """Return a random mechanism with a plate, laid at some angle of its crank.
+
+    ``guides``: so many legs slide; ``before``: one leg is held by a dyad on the crank; ``behind``: a dyad hangs
+    on the plate.
+    """
+    chance = np.random.default_rng(seed)
+
+    def some(low: float, high: float) -> float:
+        return float(chance.uniform(low, high))
+
+    def polar(low: float, high: float) -> complex:
+        return some(low, high) * cmath.exp(2j * math.pi * some(0, 1))
+
+    phi = some(0, 2 * math.pi)
+    crank = some(0.03, 0.08)
+    world: dict[str, complex] = {"O": 0j, "A": crank * cmath.exp(1j * phi)}
+    bodies = Bodies(pins=[Pin(1, 0j, 0, 0j)], poses={1: (0j, phi)})
+    frame: dict[str, complex] = {"O": 0j}
+    tables: list[str] = []
+    letters: dict[tuple[str, int], complex] = {("A", 1): complex(crank)}
+    number = 1
+    held = [("A", 1, complex(crank))]
+
+    def link(at: complex, angle: float, points: dict[str, complex]) -> int:
+        nonlocal number
+        number += 1
+        bodies.poses[number] = (at, angle)
+        for letter, place in points.items():
+            letters[letter, number] = (place - at) * cmath.exp(-1j * angle)
+        return number
+
+    def own(letter: str, k: int) -> complex:
+        return letters[letter, k]
+
+    def rod(first: str, second: str) -> int:
+        at = world[first]
+        return link(at, cmath.phase(world[second] - at), {first: at, second: world[second]})
+
+    def fix(letter: str, place: complex) -> None:
+        world[letter] = frame[letter] = place
+
+    lines: dict[int, list[str]] = {}
+    if before:
+        world["G"] = world["A"] + polar(0.15, 0.25)
+        fix("H", world["G"] + polar(0.1, 0.2))
+        a, b = rod("A", "G"), rod("G", "H")
+        bodies.pins += [
+            Pin(a, own("A", a), 1, complex(crank)),
+            Pin(b, own("G", b), a, own("G", a)),
+            Pin(b, own("H", b), 0, world["H"]),
+        ]
+        sign = ((world["H"] - world["A"]).conjugate() * (world["G"] - world["A"])).imag
+        lines[a] = [f'side = "{"left" if sign > 0 else "right"} of AH"']
+        held.append(("G", b, own("G", b)))
+    middle = world["A"] + polar(0.1, 0.25)
+    size = some(0.04, 0.1)
+    turn = 2 * math.pi * some(0, 1)
+    for k, letter in enumerate("BCF"):
+        world[letter] = middle + size * some(0.6, 1.4) * cmath.exp(1j * (turn + 2.1 * k))
+    angle = 2 * math.pi * some(0, 1)
+    legs = []
+    for k, letter in enumerate("BCF"):
+        if k < 1 or (k < 2 and before):
+            outer, on, at = held[-1 - k] if before else held[0]
+            leg = rod(outer, letter)
+            bodies.pins.append(Pin(leg, own(outer, leg), on, at))
+        elif k >= 3 - guides:
+            way = 360 * some(0, 1)
+            through = world[letter] + polar(0.02, 0.05)
+            through = world[letter] + cmath.exp(1j * math.radians(way)) * some(0.02, 0.06)
+            name = f"q{k}"
+            frame[name] = through
+            leg = link(world[letter], math.radians(way), {letter: world[letter]})
+            bodies.guides.append(Guide(leg, 0j, 0, through, math.radians(way)))
+            frame[f"{name} angle"] = complex(way)
+            lines[leg] = [f'slides = {{ on = "frame", along = "{name}" }}']
+        else:
+            outer = "DE"[k - 1]
+            fix(outer, world[letter] + polar(0.1, 0.25))
+            leg = rod(letter, outer)
+            bodies.pins.append(Pin(leg, own(outer, leg), 0, world[outer]))
+        legs.append(leg)
+    plate = link(world["B"], angle, {k: world[k] for k in "BCF"})
+    lines[plate] = [
+        f'near = "{math.degrees(angle) % 360:.9f} deg"',
+        f'near_at = "{math.degrees(phi):.12f} deg"',
+    ]
+    bodies.pins += [
+        Pin(leg, own(letter, leg), plate, own(letter, plate))
+        for leg, letter in zip(legs, "BCF", strict=True)
+    ]
+    if behind:
+        world["K"] = world["F"] + polar(0.1, 0.2)
+        fix("M", world["K"] + polar(0.1, 0.2))
+        a, b = rod("F", "K"), rod("K", "M")
+        bodies.pins += [
+            Pin(a, own("F", a), plate, own("F", plate)),
+            Pin(b, own("K", b), a, own("K", a)),
+            Pin(b, own("M", b), 0, world["M"]),
+        ]
+        sign = ((world["M"] - world["F"]).conjugate() * (world["K"] - world["F"])).imag
+        lines[a] = [f'side = "{"left" if sign > 0 else "right"} of FM"']
+    letters["O", 1] = 0j
+    tables.append('title = "Plate"\n[frame]\n' + "".join(_frame(frame)))
+    for k in sorted(bodies.poses):
+        points = ", ".join(
+            f"{letter} = [{z.real!r}, {z.imag!r}]" for (letter, on), z in letters.items() if on == k
+        )
+        more = "".join(f"{one}\n" for one in lines.get(k, []))
+        tables.append(f"[[link]]\nnumber = {k}\npoints = {{ {points} }}\n{more}")
+    tables.append('[drive]\nlink = 1\nspeed = 10\npositions = 12\naccelerations = "all"\n')
+    return Machine("\n".join(tables), bodies, letters, phi, tuple(sorted(bodies.poses)))
+
+
+def _frame(frame: dict[str, complex]) -> list[str]:
+    rows = []
+    for name, z in frame.items():
+        if name.endswith(" angle"):
+            continue
+        if f"{name} angle" in frame:
+            way = frame[f"{name} angle"].real
+            rows.append(
+                f'{name} = {{ through = [{z.real!r}, {z.imag!r}], angle = "{way!r} deg" }}\n'
+            )
+        else:
+            rows.append(f"{name} = [{z.real!r}, {z.imag!r}]\n")
+    return rows
+
+
+def followed(one: Machine, step: float = math.radians(0.5)) -> list[tuple[float, Reals]]:
+    """Return angles of the crank (rad) with poses, up to a turn each way from where it was laid."""
+    row = [(one.phi, one.bodies.start())]
+    signs = np.sign(np.linalg.det(one.bodies.equations(row[0][1], one.phi)[1]))
+    for sense in (1, -1):
+        phi, q = one.phi, one.bodies.start()
+        before = q
+        for _ in range(round(2 * math.pi / step)):
+            phi += sense * step
+            reached = one.bodies.settle(2 * q - before, phi)
+            if reached is None or np.abs(reached - q).max() > 0.3:
+                break
+            if np.sign(np.linalg.det(one.bodies.equations(reached, phi)[1])) != signs:
+                break
+            before, q = q, reached
+            row.append((phi, q))
+    return sorted(row, key=lambda two: two[0])
