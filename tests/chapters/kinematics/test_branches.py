@@ -21,8 +21,8 @@ PARTS = 20_000
 def places(one: Machine) -> int:
     """Return in how many ways three turning legs hold the plate: changes of sign along its angle.
 
-    With the plate at an angle its pin B is on two circles, about A and about D less BC; F is then too far from E,
-    or too near.
+    With the plate at an angle its pin B is on two circles, about A and about D less BC; F is then too far
+    from E, or too near.
     """
     bodies, q = one.bodies, one.bodies.start()
     plate = one.links[-1]

@@ -1,0 +1,62 @@
+"""The plate on tracing paper: laid on arcs and guides, or on nothing."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from graphic_tmm.board.geometry import cis
+from graphic_tmm.board.operations.tracing import prick, trace, trace_on_guide, trace_on_guides
+from graphic_tmm.board.values import Arc, Line
+
+rng = np.random.default_rng(40)
+N = 400
+
+
+def case(guides: int) -> tuple[tuple[object, ...], Line, Line]:
+    """Plates laid at random with loci through their three points; near angles some degrees off; the answer."""
+    b = rng.uniform(-90, 90, (1, N)) + 1j * rng.uniform(-90, 90, (1, N))
+    way = rng.uniform(0, 360, (1, N))
+    c, x, y = rng.uniform(40, 90, (1, N)), rng.uniform(-60, 60, (1, N)), rng.uniform(20, 60, (1, N))
+    pins = b, b + c * cis(way), b + (x + 1j * y) * cis(way)
+    loci: list[object] = []
+    turned = rng.uniform(0, 360, (3, 1, N))
+    for k, pin in enumerate(pins):
+        if k < 3 - guides:
+            radius = rng.uniform(60, 120, (1, N))
+            loci.append(Arc(pin - radius * cis(turned[k]), radius))
+        else:
+            loci.append(Line(pin - 30 * cis(turned[k]), cis(turned[k])))
+    off = rng.uniform(-0.2, 0.2, (2, 1, N))
+    uses = (*loci, c, x, y, turned[0] + off[0], way + off[1])
+    return uses, Line(b, cis(way)), Line(cis(turned[0]), cis(way))
+
+
+@pytest.mark.parametrize(("op", "guides"), [(trace, 0), (trace_on_guide, 1), (trace_on_guides, 2)])
+def test_a_plate_is_laid_where_its_loci_are(op: object, guides: int) -> None:
+    uses, answer, _ = case(guides)
+    found = op.run(*uses)  # type: ignore[attr-defined]
+    there = np.isfinite(found.along)
+    assert there.mean() > 0.95
+    off = np.abs(found.at - answer.at) + 90 * np.abs(found.along - answer.along)
+    # near a place where the plate is not held the other of two is as near: few, and on its loci all the same
+    assert (off[there] < 1e-9).mean() > 0.97
+
+
+def test_a_plate_that_cannot_be_laid_is_none() -> None:
+    uses, _, _ = case(0)
+    first, second, third, *others = uses
+    assert isinstance(second, Arc)
+    far = Arc(second.centre + 1000.0, second.radius)
+    with np.errstate(all="raise", under="ignore", over="ignore", invalid="ignore", divide="ignore"):
+        found = trace.run(first, far, third, *others)
+    assert np.isnan(found.along).all()
+    assert np.isnan(prick.run(found)).all()
+
+
+def test_another_place_far_off_is_none() -> None:
+    uses, _, _ = case(0)
+    *loci, leg, plate = uses
+    found = trace.run(*loci, leg, plate + 60.0)  # type: ignore[operator]
+    turned = np.abs(np.angle(found.along / cis(plate + 60.0)))  # type: ignore[operator, arg-type]
+    assert np.nanmax(turned) < np.radians(18.2)
