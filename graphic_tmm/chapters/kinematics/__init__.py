@@ -47,6 +47,7 @@ from graphic_tmm.chapters.kinematics.task import (
     KINEMATICS,
     POSITIONS,
     SECTIONS,
+    SPECIAL_POINTS,
     VELOCITIES,
 )
 from graphic_tmm.language.said import said
@@ -64,6 +65,7 @@ CHAPTER = Chapter(
     places=(
         Place(GIVEN, 20, attends=POSITIONS),
         Place(POSITIONS, 19),
+        Place(SPECIAL_POINTS, 20, attends=POSITIONS),
         Place(VELOCITIES, 21),
         Place(ACCELERATIONS, 22),
         Place(BY_DRIVE, shows=(VELOCITIES,)),

@@ -268,7 +268,7 @@ def branch_of(search: Search, angle: float, near: Near | None, link: int) -> Bra
         raise StructureError(
             said(
                 "group {name} can be assembled in {count} ways at {letter} = {at}: give link {plate} the "
-                "direction of its own x axis there, near = one of {listed}",
+                "direction of its own x axis there, near = one of {listed}, and near_at = {at}",
                 name=search.group.name,
                 count=len(own),
                 letter=search.sweep.letter,
