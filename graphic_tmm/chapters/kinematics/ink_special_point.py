@@ -28,12 +28,7 @@ def draw_special_points(
     """Return the mechanism in one position with the special points of its plates."""
     ink = PositionsInk(on.construction, on.reading, reaches, [index])
     traces = figure(ink.seen, Manner(stays=lambda _, step: False))
-    strokes: list[Ink] = [
-        *ink.guides(),
-        *ink.thin(index),
-        *ink.symbols(ink.names, index),
-        *ink.pivots(),
-    ]
+    strokes: list[Ink] = [*ink.guides(), *ink.heavy(index)]
     letters = ink.letters((ink.frame.name, *ink.names), index, on.heights.point)
     for closing in positions.closings:
         if not isinstance(closing, PlateClosing):
