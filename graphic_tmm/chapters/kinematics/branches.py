@@ -252,7 +252,7 @@ def branch_of(search: Search, angle: float, near: Near | None, link: int) -> Bra
             )
             if near is None or near.at is None
             else said(
-                "group {name} cannot be assembled at {at}: give another coordinate of the drive as at",
+                "group {name} cannot be assembled at {at}: give another coordinate of the drive as near_at",
                 name=search.group.name,
                 at=where,
             ),
