@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Hashable, Iterable
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
@@ -147,12 +147,14 @@ class Detached:
         self.points: dict[Mark, Mark] = {}
         self.lines: dict[Mark, Mark] = {}
         self._lengths: dict[tuple[Mark, Mark], Mark] = {}
-        self._moments: dict[tuple[Mark, Mark], Mark] = {}
+        self._once: dict[Hashable, Mark] = {}
         for point in points:
             self.point(point)
 
     def point(self, of: Mark) -> Mark:
-        """Return a point of the plan of positions as it stands in the figure."""
+        """Return a point of the plan of positions as it stands in the figure; its own points stay."""
+        if of.view == self.view:
+            return of
         if of not in self.points:
             factors = (self.draft.mu_l, self.mu)
             self.points[of] = self.draft.draw(detach, of.letter, of, *factors, free=True)
@@ -204,11 +206,19 @@ class Detached:
         )
 
     def _moment(self, about: Mark, force: Force) -> Mark:
-        known = self._moments.get((about, force.line))
-        if known is None:
-            draft, line = self.draft, self.line(force)
-            height = draft.draw(arm, f"h_{{{bare(force.letter)}}}", self.point(about), line)
-            letter = f"M_{{{about.letter}}}({force.letter})"
-            known = draft.draw(moment, letter, force.value, height, self.mu, unit="N·m")
-            self._moments[about, force.line] = known
-        return known
+        draft, line = self.draft, self.line(force)
+
+        def height() -> Mark:
+            return draft.draw(arm, f"h_{{{bare(force.letter)}}}", self.point(about), line)
+
+        def found() -> Mark:
+            uses = force.value, self.once(("arm", about, force.line), height), self.mu
+            return draft.draw(moment, f"M_{{{about.letter}}}({force.letter})", *uses, unit="N·m")
+
+        return self.once(("moment", about, force.line, force.value), found)
+
+    def once(self, key: Hashable, draw: Callable[[], Mark]) -> Mark:
+        """Return what is drawn in the figure, drawn when it is first wanted."""
+        if key not in self._once:
+            self._once[key] = draw()
+        return self._once[key]
