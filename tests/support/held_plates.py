@@ -24,7 +24,7 @@ from support.mechanisms import Pose, Sampled, assemble
 
 FREE = "ZYXWVUTRNMLKJHGFEDC"
 SQUARE = 0.25
-"""The sine of the angle at which the two legs cross that cross most squarely, and how well the plate is held."""
+"""How well a plate is held at least: the determinant of the lines of its legs."""
 
 
 class Held(NamedTuple):

@@ -152,9 +152,7 @@ class Detached:
             self.point(point)
 
     def point(self, of: Mark) -> Mark:
-        """Return a point of the plan of positions as it stands in the figure; its own points stay."""
-        if of.view == self.view:
-            return of
+        """Return a point of the plan of positions as it stands in the figure."""
         if of not in self.points:
             factors = (self.draft.mu_l, self.mu)
             self.points[of] = self.draft.draw(detach, of.letter, of, *factors, free=True)
@@ -205,14 +203,23 @@ class Detached:
             added, letter, first, second, unit="N·m", role=roles.SUM, why=because
         )
 
+    def own(self, point: Mark) -> Mark:
+        """Count a point that was found in the figure itself to its points; return it."""
+        return self.points.setdefault(point, point)
+
+    def arm(self, letter: str, about: Mark, line: Mark) -> Mark:
+        """Measure the arm of a line of the figure; one about a point found in the figure bears its letter."""
+        raised = f"^{{{about.letter[:1]}}}" if about.view == self.view else ""
+        name = f"h_{{{bare(letter)}}}{raised}"
+        return self.once(
+            ("arm", about, line), lambda: self.draft.draw(arm, name, self.point(about), line)
+        )
+
     def _moment(self, about: Mark, force: Force) -> Mark:
         draft, line = self.draft, self.line(force)
 
-        def height() -> Mark:
-            return draft.draw(arm, f"h_{{{bare(force.letter)}}}", self.point(about), line)
-
         def found() -> Mark:
-            uses = force.value, self.once(("arm", about, force.line), height), self.mu
+            uses = force.value, self.arm(force.letter, about, line), self.mu
             return draft.draw(moment, f"M_{{{about.letter}}}({force.letter})", *uses, unit="N·m")
 
         return self.once(("moment", about, force.line, force.value), found)

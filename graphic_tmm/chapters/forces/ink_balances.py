@@ -241,7 +241,7 @@ def group_rows(writer: Writer, made: Forces, solved: Solved | SolvedWheel) -> It
         if total is None:
             continue
         links = ",".join(map(str, summed_links(closing, leg)))
-        heading, of = f"ΣM_{{{closing.point.name}}}^{{({links})}}", Sum(total, *names)
+        heading, of = f"ΣM_{{{closing.pin(leg).name}}}^{{({links})}}", Sum(total, *names)
         tangent = solved.tangents.get(leg.link)
         if tangent is not None:
             sought = Sought(tangent.letter, tangent.value, tangent.arm, -1, "N")
@@ -249,6 +249,7 @@ def group_rows(writer: Writer, made: Forces, solved: Solved | SolvedWheel) -> It
                 yield Row(parts, tangent.value)
             continue
         yield from _guided(writer, solved, heading, of)
+    yield from _third_rows(writer, solved, *names)
     for reaction in solved.reactions:
         yield _read(writer, reaction, solved.polygon)
     rods = [one for one in made.driven if one.pair.link in solved.rods]
@@ -261,6 +262,24 @@ def group_rows(writer: Writer, made: Forces, solved: Solved | SolvedWheel) -> It
         step = writer.seen.by_mark.get(force.value)  # friction along guides, read off the polygon
         if step and step.op is in_si and step.uses[0].view == solved.polygon.view:
             yield _along(writer, force.value, solved.polygon)
+
+
+def _third_rows(
+    writer: Writer, solved: Solved, forces: dict[Mark, str], couples: dict[Mark, str]
+) -> Iterator[Row]:
+    """Yield the equation of moments of a plate and its legs about its special point."""
+    if (special := solved.special) is None:
+        return
+    for couple in special.couples:
+        yield _formula(writer, couple.value, "N·m", signed=True)
+    forces = {**forces, **{force.value: force.letter for force in special.forces}}
+    third = special.third
+    sought = Sought(third.letter, third.value, third.arm, writer.sense(third.arm), "N")
+    heading = f"ΣM_{{{special.point.name}}}"
+    for parts in writer.sought(
+        heading, Sum(special.total, forces, couples), sought, solved.figure.mu
+    ):
+        yield Row(parts, third.value)
 
 
 def _guided(writer: Writer, solved: Solved, heading: str, of: Sum) -> Iterator[Row]:

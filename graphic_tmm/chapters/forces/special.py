@@ -9,11 +9,11 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.operations.instruments import meet, square
-from graphic_tmm.board.operations.statics import arm, reversed_
+from graphic_tmm.board.operations.statics import reversed_
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
-from graphic_tmm.chapters.forces.detached import Detached, bare
+from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
 from graphic_tmm.chapters.forces.operations import along_third
 from graphic_tmm.chapters.forces.unknowns import (
@@ -67,9 +67,10 @@ def solve_third(
     first, second = (line_of(leg) for leg in closing.crossing)
     name = f"W{closing.group.plate}"
     point = figure.once(
-        (name, first, second),
-        lambda: draft.draw(meet, name, first, second, why=why.SPECIAL_POINT_OF_FORCES),
+        ("special", first, second),
+        lambda: draft.draw(meet, name, first, second, free=True, why=why.SPECIAL_POINT_OF_FORCES),
     )
+    figure.own(point)
     forces = tuple(
         _across(figure, leg, tangents[leg.link])
         for leg in closing.legs
@@ -89,9 +90,7 @@ def solve_third(
         total = draft.take(Number, letter, 0.0, "N·m")
     third, called = closing.third, closing_letter(closing.third, tangents)
     line = line_of(third)
-    height = figure.once(
-        (point, line), lambda: draft.draw(arm, f"h_{{{bare(called)}}}", point, line)
-    )
+    height = figure.arm(called, point, line)
     value = draft.draw(along_third, called, total, height, figure.mu, unit="N")
     given = Tangent(called, value, height)
     return Special(point, (first, second), line, forces, couples, total, given)
