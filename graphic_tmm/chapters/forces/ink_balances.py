@@ -271,7 +271,7 @@ def _third_rows(
     if (special := solved.special) is None:
         return
     for couple in special.couples:
-        yield _formula(writer, couple.value, "N·m", signed=True)
+        yield _formula(writer, couple.value, "N·m")
     forces = {**forces, **{force.value: force.letter for force in special.forces}}
     third = special.third
     sought = Sought(third.letter, third.value, third.arm, writer.sense(third.arm), "N")

@@ -61,9 +61,8 @@ SHOWN = 18.0
 class Reactive(NamedTuple):
     """A reaction to be found: its letter, the point where it acts, its vector on the polygon.
 
-    ``value``, ``arm``, ``link``: of a component found by moments, its size (N), its arm about the point that
-    these are taken about and the link on which it acts; ``sense``: +1 where it turns counter-clockwise if both
-    are positive.
+    ``value``, ``arm``, ``link``: of a component found by moments, its size (N), its arm about the closing point
+    and the link on which it acts.
     """
 
     letter: str
@@ -73,7 +72,6 @@ class Reactive(NamedTuple):
     value: Mark | None = None
     arm: Mark | None = None
     link: int = 0
-    sense: int = -1
 
 
 class Rubbed(NamedTuple):
@@ -281,7 +279,7 @@ class _Loads:
         size, more = float("nan"), tuple[tuple[str, str], ...]()
         if reaction.value is not None and reaction.arm is not None:
             signed = self.seen.number(reaction.value, k)
-            size, about = abs(signed), reaction.sense * self.seen.number(reaction.arm, k)
+            size, about = abs(signed), -self.seen.number(reaction.arm, k)
             more = (("link", str(reaction.link)), *turning(about, signed))
             of.append(reaction.value.slot)
         told = ArrowText(reaction.letter, size, "N", tuple(of), more)

@@ -206,11 +206,12 @@ def group_shown(drawn: Drawn, made: Forces, solved: Solved | SolvedWheel) -> Gro
             unknown.append(Reactive(reaction.letter, at, reaction.tail, reaction.head))
             continue
         unknown.append(_along(solved, leg, at))
+    held = solved.special.couples if solved.special is not None else ()
     return GroupFigure(
         solved.figure,
         links,
         [f for k in links for f in made.acting.forces.get(k, [])],
-        [c for k in links for c in made.acting.couples.get(k, [])],
+        [*(c for k in links for c in made.acting.couples.get(k, [])), *held],
         unknown,
         _rubbed(drawn, made, links),
         special=solved.special,
@@ -226,7 +227,7 @@ def _along(solved: Solved, leg: ClosingLeg, at: Mark) -> Reactive:
     assert solved.special is not None
     third = solved.special.third
     assert third.side is not None
-    return Reactive(third.letter, at, *third.side, third.value, third.arm, leg.link, sense=1)
+    return Reactive(third.letter, at, *third.side)
 
 
 def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:
