@@ -218,11 +218,11 @@ class Detached:
     def _moment(self, about: Mark, force: Force) -> Mark:
         draft, line = self.draft, self.line(force)
 
-        def found() -> Mark:
+        def turns() -> Mark:
             uses = force.value, self.arm(force.letter, about, line), self.mu
             return draft.draw(moment, f"M_{{{about.letter}}}({force.letter})", *uses, unit="N·m")
 
-        return self.once(("moment", about, force.line, force.value), found)
+        return self.once(("moment", about, force.line, force.value), turns)
 
     def once(self, key: Hashable, draw: Callable[[], Mark]) -> Mark:
         """Return what is drawn in the figure, drawn when it is first wanted."""

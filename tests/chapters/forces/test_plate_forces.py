@@ -205,8 +205,8 @@ def judged(text: str, at: list[float]) -> None:
         for name, row in found.forces.items():
             pair = int(name[1]), int(name[2])
             assert abs(row[k] - due.reactions[pair]) <= 1e-8 * due.largest, (name, coordinate)
-        for name, row in found.balance.items():
-            assert abs(row[k] - due.drives[0]) <= 1e-8 * due.largest, (name, coordinate)
+        for name, balance in found.balance.items():
+            assert abs(balance[k] - due.drives[0]) <= 1e-8 * due.largest, (name, coordinate)
 
 
 def near(scene: dict[str, Any], found: graphic_tmm.Motion, k: int) -> list[tuple[complex, float]]:
@@ -238,7 +238,7 @@ def test_where_the_legs_meet_in_one_point_nothing_is_told() -> None:
     """Up to there the lever agrees with the groups, however large forces grow; behind it there are none."""
     ways = [121.0, 122.0, 122.2, 122.25, 122.3, 200.0]
     with np.errstate(all="raise"):
-        found = graphic_tmm.motion(TURNS, ways, plans=("forces",), exact=True)
+        found = graphic_tmm.motion(TURNS, ways, plans="forces", exact=True)
     groups, lever = found.balance["P_bal_forces"], found.balance["P_bal_lever"]
     assert list(np.isnan(groups)) == list(np.isnan(lever)) == [False] * 4 + [True] * 2
     np.testing.assert_allclose(groups[:4], lever[:4], rtol=1e-8)
