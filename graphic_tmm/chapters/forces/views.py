@@ -11,11 +11,12 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.friction import below, pin_sentences
-from graphic_tmm.chapters.forces.ink_balances import Writer, driver_rows, group_rows, lever_rows
+from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.ink_equations import Row, draw_balances
 from graphic_tmm.chapters.forces.ink_groups import GroupFigure, Reactive, Rubbed, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
+from graphic_tmm.chapters.forces.ink_writer import Writer
 from graphic_tmm.chapters.forces.levers import Balanced
 from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.load_strokes import loads_along_guides

@@ -216,14 +216,12 @@ def check_letters(view: View, told: View) -> int:
         largest = max(abs(worked(written(term, put)).value) for term in _terms(by_letters))
         assert abs(left.value) <= left.half + FIGURES * largest, heading
         against = -1 if size[1].startswith("−") else 1
-        if heading.startswith("ΣM_W"):
-            arrows = {**couples, **about_special(view)}
+        special = heading.startswith("ΣM_W")
+        turns = {**couples, **about_special(view)} if special else arrows
         for term, factors in signed(by_letters):
             sign = term * (against if sought in factors else 1)
             back = "−" if any("_(−" in name for name in factors) else ""  # the other of a pair
-            drawn_as = {
-                arrows[back + name] for name in map(called, factors) if back + name in arrows
-            }
+            drawn_as = {turns[back + name] for name in map(called, factors) if back + name in turns}
             assert drawn_as <= {sign}, (heading, factors)
         checked += 1
     return checked
