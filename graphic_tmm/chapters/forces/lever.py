@@ -32,10 +32,11 @@ from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.by_drive import ByDrive
-from graphic_tmm.chapters.kinematics.closings import PinLeg, legs_of
+from graphic_tmm.chapters.kinematics.closings import PinLeg, PlateClosing, legs_of
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
-from graphic_tmm.chapters.kinematics.motion import Motion, pivot_image
+from graphic_tmm.chapters.kinematics.motion import Motion, pin_image, pivot_image
+from graphic_tmm.chapters.kinematics.special_point import special_point
 
 VIEW = "lever"
 
@@ -283,7 +284,12 @@ def _base(
     for closing, leg in legs_of(positions.closings, VIEW):
         if isinstance(leg, PinLeg) and velocities.rates.get(leg.link) == rate:
             start = velocities.ends.get(leg.link) or pivot_image(velocities, leg)
-            end = velocities.closed[closing.group.name]
+            end = pin_image(velocities, closing, leg)
             segment = velocities.readings[leg.link]
+            return _Base(segment, leg.length, start, end, leg.line, sense)
+    for plate in positions.closings:
+        if isinstance(plate, PlateClosing) and rate == velocities.rates.get(plate.group.plate):
+            leg, segment = special_point(draft, plate).leg, velocities.readings[plate.group.plate]
+            start, end, _ = draft.uses(segment)
             return _Base(segment, leg.length, start, end, leg.line, sense)
     return None

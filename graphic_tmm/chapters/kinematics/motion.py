@@ -215,6 +215,13 @@ def known_image(plan: Motion, closing: AnyClosing, leg: ClosingLeg) -> Mark:
             unheld(leg, plan.images.pole.view)
 
 
+def pin_image(plan: Motion, closing: AnyClosing, leg: ClosingLeg) -> Mark:
+    """Return the image of the inner end of a leg: of a closing point, or of a pin of a plate."""
+    if isinstance(closing, Closing):
+        return plan.closed[closing.group.name]
+    return plan.images.by_letter[closing.group.plate][closing.pin_letter(leg)]
+
+
 def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark) -> None:
     """Enter both links of a group into the plan's images, complete them, and note rates they share.
 
