@@ -55,6 +55,7 @@ class RodPoint(NamedTuple):
 class Figure:
     """A construction as drawn in a ``view``: three μ (lengths, velocities, accelerations), mechanism, M, Q, N.
 
+    ``moved``: where the pin gains speed, the ends of its whole acceleration and of the normal one behind it.
     ``along``: the line through the pivot along the guide. ``through``: what leads from M to Q: in Klein's the
     centre of the circle on the rod, this circle, a point of both circles, their chord; in Ritterhaus's R.
     """
@@ -68,6 +69,7 @@ class Figure:
     M: Mark
     Q: Mark
     N: Mark
+    moved: tuple[Mark, ...]
     through: tuple[Mark, ...]
     quantities: tuple[Quantity, ...]
     points: tuple[RodPoint, ...]
@@ -115,7 +117,7 @@ class _Drawing:
         draft.open(self.view)
         mu = draft.scale("μ_l", "m/mm")
         draft.open(f"{self.view} scales")
-        omega = self._omega()
+        omega = self.omega = self._omega()
         self.scales = {
             unit: draft.draw(op, letter, mu, omega, unit=f"({unit})/mm")
             for op, letter, unit in (
@@ -126,7 +128,8 @@ class _Drawing:
         self.O = draft.take(Point, pivot, 0j)
         draft.lay_out(self.O)
         self.crank = self._crank()
-        self.A = draft.draw(lay_off, A, self.crank, self._length(pivot, A, of.crank), why=why.CRANK)
+        self.arm = self._length(pivot, A, of.crank)
+        self.A = draft.draw(lay_off, A, self.crank, self.arm, why=why.CRANK)
         leg = of.rod
         self.rod = draft.draw(parallel, f"({A}{B})", self.A, leg.line, why=why.ROD)
         self.B = draft.draw(lay_off, B, self.rod, self._length(A, B, of.length), why=why.ROD)
@@ -136,17 +139,20 @@ class _Drawing:
         self._velocity(f"v_{B}", pivot, self.O, "M", self.M)
         self._velocity(f"v_{{{B}{A}}}", A, self.A, "M", self.M)
         Q, across, through = self._klein() if self.view == KLEIN else self._ritterhaus()
+        moved = self._gaining(Q) if of.driven.epsilon else ()
+        self.image, end = moved or (self.A, Q)
+        if moved or across is None:
+            across = draft.draw(square, f"({end.letter}N)", end, self.rod, why=why.TANGENTIAL)
         self.N = self._point("N", across, self.along, why.WHOLE)
-        for letter, a, start, b, end in (
-            (f"a_{{{B}{A}}}^{{n}}", A, self.A, "Q", Q),
-            (f"a_{{{B}{A}}}^{{t}}", "Q", Q, "N", self.N),
-            (f"a_{B}", pivot, self.O, "N", self.N),
-        ):
-            self._acceleration(letter, a, start, b, end)
+        if not moved:
+            self._acceleration(f"a_{{{B}{A}}}^{{n}}", A, self.A, "Q", Q)
+        self._acceleration(f"a_{{{B}{A}}}^{{t}}", end.letter, end, "N", self.N)
+        self._acceleration(f"a_{B}", pivot, self.O, "N", self.N)
         points = tuple(self._rod_point(letter, own) for letter, own in of.points.items())
         scales = (mu, *self.scales.values())
         return Figure(
-            self.view, scales, self.O, self.A, self.B, self.along, self.M, Q, self.N, through,
+            self.view, scales, self.O, self.A, self.B, self.along, self.M, Q, self.N, moved,
+            through,
             tuple(self.quantities), points,
         )  # fmt: skip
 
@@ -183,7 +189,23 @@ class _Drawing:
         value = self.draft.draw(in_si, letter, length, self.scales[unit], unit=unit, free=True)
         self.quantities.append(Quantity(letter, length, value))
 
-    def _klein(self) -> tuple[Mark, Mark, tuple[Mark, ...]]:
+    def _gaining(self, Q: Mark) -> tuple[Mark, ...]:
+        """Lay off what the pin gains behind the crank, and AQ behind that; return both ends."""
+        draft, of, A, plan = self.draft, self.of, self.of.pin, self.plans.accelerations
+        self._acceleration(f"a_{{{of.slider}{A}}}^{{n}}", A, self.A, "Q", Q)
+        normal = self.quantities[-1].segment
+        epsilon = (plan.rates.get(of.driven.link) if plan else None) or of.driven.gaining(draft)
+        known = self.arm, epsilon, self.omega
+        length = draft.draw(f.tangential_on_figure, f"{A}{A}′", *known)
+        line = draft.draw(
+            square, f"({A}{A}′)", self.A, self.crank, sense=-1, why=why.PIN_TANGENTIAL
+        )
+        image = draft.draw(lay_off, f"{A}′", line, length, why=why.PIN_TANGENTIAL)
+        self._acceleration(f"a_{A}", of.pivot, self.O, f"{A}′", image)
+        along = draft.draw(parallel, f"({A}′Q′)", image, self.rod, why=why.AGAIN_NORMAL)
+        return image, draft.draw(lay_off, "Q′", along, normal, why=why.AGAIN_NORMAL)
+
+    def _klein(self) -> tuple[Mark, Mark | None, tuple[Mark, ...]]:
         """Draw both circles; return Q, their common chord, and what leads to it."""
         draft, A = self.draft, self.of.pin
         about = draft.draw(circle_through, f"({A}; {A}M)", self.A, self.M, why=why.OPENING)
@@ -194,8 +216,8 @@ class _Drawing:
         chord = draft.draw(square, "(QN)", both, self.rod, why=why.CHORD)
         return self._point("Q", self.rod, chord, why.NORMAL), chord, (centre, on_rod, both, chord)
 
-    def _ritterhaus(self) -> tuple[Mark, Mark, tuple[Mark, ...]]:
-        """Draw the parallels; return Q, the line through it square to the rod, and R."""
+    def _ritterhaus(self) -> tuple[Mark, Mark | None, tuple[Mark, ...]]:
+        """Draw the parallels; return Q, no line through it yet, and R."""
         draft, of = self.draft, self.of
         base = self.along
         if not of.in_line:
@@ -204,7 +226,7 @@ class _Drawing:
         R = self._point("R", first, self.crank, why.SIMILAR)
         second = draft.draw(parallel, "(RQ)", R, self.across, why=why.AGAIN)
         Q = self._point("Q", second, self.rod, why.NORMAL_BY_RATIO)
-        return Q, draft.draw(square, "(QN)", Q, self.rod, why=why.TANGENTIAL), (R,)
+        return Q, None, (R,)
 
     def _on_rod(self, letter: str, own: complex) -> Mark:
         """Draw a point of the rod by how far it lies along the rod from A, and beside it (m)."""
@@ -225,7 +247,9 @@ class _Drawing:
         at = self._on_rod(letter, own)
         mechanism = self.A, self.B, at
         v = draft.draw(similar, f"{small}′", self.A, self.M, *mechanism, free=True, why=why.IMAGE_V)
-        a = draft.draw(similar, f"{small}″", self.A, self.N, *mechanism, free=True, why=why.IMAGE_A)
+        a = draft.draw(
+            similar, f"{small}″", self.image, self.N, *mechanism, free=True, why=why.IMAGE_A
+        )
         self._velocity(f"v_{{{letter}}}", of.pivot, self.O, f"{small}′", v)
         self._acceleration(f"a_{{{letter}}}", of.pivot, self.O, f"{small}″", a)
         return RodPoint(letter, at, v, a)

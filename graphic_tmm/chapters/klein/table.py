@@ -50,7 +50,7 @@ def _planned(drawn: Drawn) -> dict[str, Mark]:
         if motion is None:
             continue
         images = motion.images.by_letter[made.of.rod.link]
-        found[f"{sign}_{made.of.slider}"] = images[made.of.slider]
+        found |= {f"{sign}_{k}": images[k] for k in (made.of.pin, made.of.slider)}
         found |= {f"{sign}_{{{k}}}": images[k] for k in made.of.points}
     return found
 
