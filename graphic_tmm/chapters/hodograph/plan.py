@@ -44,10 +44,15 @@ class Hodograph(NamedTuple):
 
 
 class Analogue(NamedTuple):
-    """An analogue of a point: the vector on its ``plan`` (Length), what it stands for (Number, m)."""
+    """An analogue of a point: its ``image`` on a ``plan``, the vector there (Length), what it stands for (m).
+
+    ``mu``: the scale of the plan as if ω_1 were 1, m/mm.
+    """
 
     point: str
     plan: str
+    image: Mark
+    mu: Mark
     segment: Mark
     value: Mark
 
@@ -173,7 +178,9 @@ def _draw(on: _Ground, plan: str, letter: str) -> Hodograph:
     op = french_curve if plans.closed else open_curve
     curve = draft.draw(op, f"({end.letter}–{end.letter})", end, row=row, why=why.CURVE)
     angle, against = None, plans.accelerations
-    if plan == VELOCITIES and against is not None and on.held and not _straight(plans, letter):
+    drive = plans.mechanism.drive
+    alike = bool(drive.rates) or not drive.acceleration
+    if plan == VELOCITIES and against and on.held and alike and not _straight(plans, letter):
         _at_some(on, f"{view} tangents")
         known = against.images.pole, on.images[ACCELERATIONS, letter]
         angle = draft.draw(off_tangent, f"δ_{{{letter}}}", curve, end, *known, unit="°", row=row)
@@ -209,10 +216,11 @@ def _analogues(on: _Ground, order: HodographTask) -> Iterator[Analogue]:
             _at_some(on, view)
         mu = draft.draw(op, f"μ{prime}", motion.mu, velocities.speed, unit="m/mm")
         for letter in order.points:
-            segment = reading_of(draft, motion, on.images[plan, letter])
+            image = on.images[plan, letter]
+            segment = reading_of(draft, motion, image)
             assert segment is not None
             value = draft.draw(in_si, f"s{prime}_{{{letter}}}", segment, mu, unit="m")
-            yield Analogue(letter, plan, segment, value)
+            yield Analogue(letter, plan, image, mu, segment, value)
 
 
 def view_of_analogues(plan: str) -> str:

@@ -262,6 +262,14 @@ def test_without_accelerations_nothing_is_held_against_them(tmp_path: Path) -> N
     assert there.tolist() == [2, 5]
 
 
+def test_one_omega_with_an_epsilon_is_no_motion_and_no_tangent_is_held(tmp_path: Path) -> None:
+    """Else true plans of accelerations are called wrong: the row is not the hodograph of a motion."""
+    row = ROW.format(count=36, zero=20.0)
+    drawn = drawn_of(tmp_path, row=row + '\nacceleration = "60 rad/s^2"')
+    assert of(drawn).curves[0].angle is None
+    assert not list(WARNINGS.warnings(drawn, "en"))
+
+
 def test_the_figure_has_a_vector_for_each_end_and_a_closed_curve(tmp_path: Path) -> None:
     drawn = drawn_of(tmp_path)
     (one,) = of(drawn).curves
