@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.curvature.task import BALL, BRESSE, CURVATURE
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -13,6 +14,15 @@ CAPTIONS: dict[str, str] = {
     "table curvature": said("Curvature of paths"),
     "chapter curvature": said("Curvature of paths"),
 }
+
+OFF = "curvature_off_"
+"""What the names of results begin with that tell how far radii by both ways are apart."""
+_APART = said("ρ by Bobillier off the plans, path of {point}")
+
+
+def _result(name: str, speech: Speech) -> str:
+    return speech(_APART, point=name.removeprefix(OFF)) if name.startswith(OFF) else ""
+
 
 WAY = said("The path lies along the velocity of its point.")
 ALONG_NORMAL = said("The normal acceleration is square to the velocity.")
@@ -77,4 +87,6 @@ BALL_POINT = said(
     "corner on that line."
 )
 
-WORDS = Named(captions=CAPTIONS, plans=(CURVATURE, BRESSE, BALL), sources=("artobolevsky",))
+WORDS = Named(
+    captions=CAPTIONS, result=_result, plans=(CURVATURE, BRESSE, BALL), sources=("artobolevsky",)
+)
