@@ -9,7 +9,15 @@ from typing import NamedTuple
 from graphic_tmm.board import roles
 from graphic_tmm.board.operations.carried import carry_over
 from graphic_tmm.board.operations.graphs import standing
-from graphic_tmm.board.operations.instruments import join, measure_along, meet, ray, square
+from graphic_tmm.board.operations.instruments import (
+    join,
+    measure_along,
+    meet,
+    parallel,
+    ray,
+    square,
+)
+from graphic_tmm.board.operations.statics import difference_of
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.centrodes import operations as o
 from graphic_tmm.chapters.centrodes import words as why
@@ -223,13 +231,14 @@ class _Plan:
         assert plan is not None
         end = plan.images.by_letter[self.body.link.number][letter]
         start = plan.images.pole
+        self.draft.open(VELOCITIES)
         if self.on is not self.frame:
             on = self.on.link.number
-            self.draft.open(VELOCITIES)
             start = plan.images.of(on, mark, letter, f"{letter.lower()}{on}")
-            self.draft.open(self.mu.view)
-        op = o.turned_normal if self.turned else o.velocity_normal
-        return self.draft.draw(op, f"(n_{letter})", self.point(mark), start, end, free=True)
+        way = self.draft.draw(join, f"(v_{letter})", start, end, free=True, why=why.WAY)
+        self.draft.open(self.mu.view)
+        op, because = (parallel, why.TURNED) if self.turned else (square, why.NORMAL)
+        return self.draft.draw(op, f"(n_{letter})", self.point(mark), way, free=True, why=because)
 
     def rate(self) -> Mark:
         """Return ω of the link, as the body on which it rolls sees it: its sign is what is asked for."""
@@ -246,7 +255,7 @@ class _Plan:
         if len(rates) == 1:
             return rates[0]
         letter = f"ω_{{{self.index}}}"
-        return self.draft.draw(o.relative_rate, letter, *rates, unit="1/s", free=True)
+        return self.draft.draw(difference_of, letter, *rates, unit="1/s", free=True)
 
     def side(
         self,

@@ -24,11 +24,6 @@ def _result(name: str, speech: Speech) -> str:
     return speech(_APART, point=name.removeprefix(OFF)) if name.startswith(OFF) else ""
 
 
-WAY = said("The path lies along the velocity of its point.")
-ALONG_NORMAL = said("The normal acceleration is square to the velocity.")
-NORMAL_PART = said(
-    "The projection of the acceleration on the normal to the velocity is its normal part."
-)
 NORMAL = said("The centre of curvature lies on the normal to the path.")
 GUIDED = said(
     "The path is straight: its centre of curvature is infinitely far, on the normal to the guide."
