@@ -13,7 +13,7 @@ from graphic_tmm.board.operations.instruments import join, parallel, square
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.centres.network import Centre
-from graphic_tmm.chapters.centres.plan import Centres
+from graphic_tmm.chapters.centres.record import Centres
 from graphic_tmm.chapters.centres.scales import room, spots
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers

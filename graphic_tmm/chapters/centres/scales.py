@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN, Centres
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.fitting.choice import usual_room
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled

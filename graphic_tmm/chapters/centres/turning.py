@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board.record import segment_name
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN
 from graphic_tmm.project import Project

@@ -10,7 +10,7 @@ from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Complexes
-from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
+from graphic_tmm.chapters.centrodes.record import CENTRODES_PLAN, Centrodes
 from graphic_tmm.chapters.centrodes.task import ASKED, CENTRODES
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
 from graphic_tmm.fitting.sizes import Size, Sizing

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import replace
 
-from graphic_tmm.chapters.hodograph.plan import HODOGRAPH_PLAN
+from graphic_tmm.chapters.hodograph.record import HODOGRAPH_PLAN
 from graphic_tmm.chapters.hodograph.task import ASKED, HODOGRAPH
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.project import Project

@@ -12,7 +12,7 @@ from graphic_tmm.board.operations.instruments import similar
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.klein.operations import circle_through
-from graphic_tmm.chapters.klein.plan import Figure
+from graphic_tmm.chapters.klein.record import Figure
 from graphic_tmm.chapters.klein.task import KLEIN
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure

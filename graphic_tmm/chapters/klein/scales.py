@@ -7,7 +7,7 @@ from collections.abc import Container, Iterator
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN
 from graphic_tmm.chapters.klein.task import KLEIN, VIEWS
 from graphic_tmm.fitting.choice import usual_room
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, scale_of

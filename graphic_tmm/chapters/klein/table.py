@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.klein.accuracy import prices
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.task import VIEWS
 from graphic_tmm.chapters.klein.words import DIFFERENCE
 from graphic_tmm.drawn import Drawn, Results

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.klein.ink import draw_construction
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.table import figure_columns
 from graphic_tmm.chapters.klein.table import results as figures
 from graphic_tmm.chapters.klein.task import KLEIN, TABLE

@@ -13,7 +13,7 @@ import pytest
 
 import graphic_tmm as tmm
 from graphic_tmm.chapters.centres.network import GUIDE, IMAGE, LINES, NORMALS, PARALLEL, PIN, RATES
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN, Centres
 from graphic_tmm.chapters.centres.views import centre_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError

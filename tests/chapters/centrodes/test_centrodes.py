@@ -14,7 +14,7 @@ from support.turns import in_turn
 import graphic_tmm
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.chapters.centrodes.findings import slipping
-from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
+from graphic_tmm.chapters.centrodes.record import CENTRODES_PLAN, Centrodes
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.readers.findings import warnings

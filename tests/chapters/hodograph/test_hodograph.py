@@ -14,7 +14,7 @@ from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.hodograph.findings import WARNINGS
 from graphic_tmm.chapters.hodograph.ink import draw_hodograph
 from graphic_tmm.chapters.hodograph.operations import off_tangent
-from graphic_tmm.chapters.hodograph.plan import HODOGRAPH_PLAN
+from graphic_tmm.chapters.hodograph.record import HODOGRAPH_PLAN
 from graphic_tmm.chapters.hodograph.table import angles, limits
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn

@@ -15,7 +15,7 @@ from support.boards import in_usual_size
 from graphic_tmm.accuracy.geometrography import elements
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.klein.accuracy import prices
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.table import columns, figure_columns, results
 from graphic_tmm.chapters.klein.task import KLEIN, RITTERHAUS, VIEWS
 from graphic_tmm.drawn import Drawn

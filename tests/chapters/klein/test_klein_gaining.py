@@ -11,7 +11,7 @@ import pytest
 from chapters.klein.test_klein import STEP, drawn_of, loop, sizes_at_random, speeds, values
 
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN
 from graphic_tmm.chapters.klein.table import columns
 from graphic_tmm.chapters.klein.task import KLEIN, RITTERHAUS, VIEWS
 from graphic_tmm.drawn import Drawn
