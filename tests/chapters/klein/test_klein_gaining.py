@@ -9,12 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 from chapters.klein.test_klein import STEP, drawn_of, loop, sizes_at_random, speeds, values
+from support.boards import in_usual_size
 
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.klein.record import KLEIN_PLAN
 from graphic_tmm.chapters.klein.table import columns
 from graphic_tmm.chapters.klein.task import KLEIN, RITTERHAUS, VIEWS
+from graphic_tmm.checking.template import rows_of
 from graphic_tmm.drawn import Drawn
+from graphic_tmm.scene.read import read
 
 
 def due(phi: float, omega: float, epsilon: float, told: dict[str, Any]) -> dict[str, float]:
@@ -83,10 +86,6 @@ def test_omega_and_epsilon_may_be_listed_by_positions(tmp_path: Path) -> None:
 
 
 def _read(folder: Path, text: str) -> Drawn:
-    from support.boards import in_usual_size
-
-    from graphic_tmm.scene.read import read
-
     (folder / "scene.toml").write_text(text, encoding="utf-8")
     (found,) = in_usual_size(read(folder / "scene.toml"), exact=True).boards
     return found
@@ -131,3 +130,13 @@ def test_without_epsilon_nothing_is_recorded_for_it(tmp_path: Path) -> None:
         assert KLEIN_PLAN.on(drawn).figures[view].moved == ()
     names = {step.it.name for step in drawn.construction.steps if step.it.view in VIEWS}
     assert not names & {"A′", "Q′", "AA′"}
+
+
+def test_a_template_states_the_scale_by_its_own_letter(tmp_path: Path) -> None:
+    """Sides of the figure are told as velocities first: to μ_v, which follows from μ_l and ω."""
+    drawn = drawn_of(tmp_path, r=0.1, rod=0.4, drive='acceleration = "90 rad/s^2"')
+    rows = [one for one in rows_of(read(tmp_path / "scene.toml")) if one.plan == KLEIN]
+    (stated,) = (one for one in rows if one.segment.startswith("μ"))
+    assert (stated.segment, stated.unit) == ("μ_v", "(m/s)/mm")
+    scales = drawn.scales
+    assert scales["klein μ_v"].value == pytest.approx(20.0 * scales[KLEIN].value, rel=1e-12)
