@@ -140,3 +140,18 @@ def test_a_template_states_the_scale_by_its_own_letter(tmp_path: Path) -> None:
     assert (stated.segment, stated.unit) == ("μ_v", "(m/s)/mm")
     scales = drawn.scales
     assert scales["klein μ_v"].value == pytest.approx(20.0 * scales[KLEIN].value, rel=1e-12)
+
+
+def test_dead_centres_are_right_or_not_there(tmp_path: Path) -> None:
+    """Klein's pentagon is there in all of them; Ritterhaus has no Q in one line, so no N either."""
+    told: dict[str, Any] = {"r": 0.1, "rod": 0.4, "e": 0.0, "tilt": 0.0, "c": 0.15 + 0j}
+    at = [0.0, 90.0, 180.0, 270.0]
+    drive = 'acceleration = "-70 rad/s^2"'
+    drawn = drawn_of(tmp_path, **told, omega=10.0, at=at, drive=drive)
+    klein, other = values(drawn, KLEIN), values(drawn, RITTERHAUS)
+    for k, phi in enumerate(at):
+        exact = due(math.radians(phi), 10.0, -70.0, told)
+        for letter, value in exact.items():
+            assert klein[letter][k] == pytest.approx(value, abs=1e-8)
+            lost = letter != "a_A" and k in (0, 2)
+            assert np.isnan(other[letter][k]) if lost else other[letter][k] == pytest.approx(value)
