@@ -20,7 +20,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import GuideLeg, Positions, legs_of
-from graphic_tmm.chapters.kinematics.motion import Motion, image_letter, reading_of
+from graphic_tmm.chapters.kinematics.motion import Motion, PathPart, image_letter, reading_of
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES, Rows
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -59,14 +59,6 @@ def rubbing_on_fixed(radius: Number, omega: Number) -> Number:
 )
 def path_radius(segment: Length, mu_v: Number, normal: Length, mu_a: Number) -> Number:
     """({segment}·{mu_v})²/(|{normal}|·{mu_a})"""
-
-
-class PathPart(NamedTuple):
-    """Of a point: its velocity as read (Length), the square to it, the acceleration along that (Length)."""
-
-    speed: Mark
-    normal: Mark
-    part: Mark
 
 
 class Further(NamedTuple):
@@ -171,12 +163,13 @@ def read_path(
 ) -> PathPart | None:  # fmt: skip
     """Read the acceleration of a point square to its path, and along it where that is wanted.
 
-    ``plans``, ``images``: of velocities and of accelerations. None where the point stands still.
+    ``plans``, ``images``: of velocities and of accelerations. None where the point stands still. What was read
+    before is not read again.
     """
     (motion, gained), (image, end), small = plans, images, image_letter(letter)
     speed = reading_of(draft, motion, image)
-    if speed is None:
-        return None
+    if speed is None or (end in gained.paths and not tangential):
+        return gained.paths.get(end)
     draft.open(VELOCITIES)
     name, pole = f"(v_{{{letter}}})", gained.images.pole
     way = draft.draw(join, name, motion.images.pole, image, free=True, why=why.PATH_WAY)
@@ -194,7 +187,7 @@ def read_path(
         draft.draw(measure_along, name, pole, end, line, free=True, why=because)
         for (name, _, _, _, because), line in zip(ways, lines, strict=True)
     ]
-    return PathPart(speed, lines[-1], parts[-1])
+    return gained.paths.setdefault(end, PathPart(speed, lines[-1], parts[-1]))
 
 
 def _path(ground: Ground, gained: Motion, letter: str) -> Iterator[Further]:

@@ -13,6 +13,7 @@ from graphic_tmm.chapters.curvature.record import CURVATURE_PLAN
 from graphic_tmm.chapters.curvature.scales import FAR
 from graphic_tmm.chapters.curvature.task_sheet import asks
 from graphic_tmm.errors import TmmError
+from graphic_tmm.readers.table import columns_of
 from graphic_tmm.studio import make
 
 SCENE = graphic_tmm.read("coupler-curvature")
@@ -119,3 +120,14 @@ def test_a_value_is_its_segment_times_mu() -> None:
             there = np.isfinite(column.mm[0])
             np.testing.assert_allclose(column.value[0, there], column.mm[0, there] * mu, rtol=1e-11)
             assert [*np.flatnonzero(np.isfinite(column.value[0]))] == [1]
+
+
+def test_a_path_that_rows_ask_for_is_read_once() -> None:
+    """`[rows] paths` and [curvature] of one point: the normal part stands once on the plan, ρ is the same."""
+    scene = {**slider(points=["K"], positions=[1], circles=False), "rows": {"paths": ["K"]}}
+    scene["drive"]["accelerations"] = [1]
+    drawn = make(graphic_tmm.read(scene)).boards[0]
+    named = [step.it.letter for step in drawn.construction.steps]
+    assert [named.count(name) for name in ("(v_{K})", "(n_{k})", "n_{k}", "t_{k}")] == [1, 1, 1, 1]
+    rows = {(one.plan, one.segment): one.value[0] for one in columns_of(drawn)}
+    assert rows["curvature", "rhoK"][1] == rows["accelerations", "rhoK"][1] > 0.0
