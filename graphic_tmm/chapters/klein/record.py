@@ -136,8 +136,8 @@ class _Drawing:
         self.along = draft.draw(parallel, f"({pivot}N)", self.O, of.guide.line, why=why.ALONG)
         self.across = draft.draw(square, f"({pivot}M)", self.O, self.along, why=why.ACROSS)
         self.M = self._point("M", self.rod, self.across, why.TURNED)
-        self._velocity(f"v_{B}", pivot, self.O, "M", self.M)
-        self._velocity(f"v_{{{B}{A}}}", A, self.A, "M", self.M)
+        self._read(f"v_{B}", self.O, self.M)
+        self._read(f"v_{{{B}{A}}}", self.A, self.M)
         Q, across, through = self._klein() if self.view == KLEIN else self._ritterhaus()
         moved = self._gaining(Q) if of.driven.epsilon else ()
         self.image, end = moved or (self.A, Q)
@@ -145,9 +145,9 @@ class _Drawing:
             across = draft.draw(square, f"({end.letter}N)", end, self.rod, why=why.TANGENTIAL)
         self.N = self._point("N", across, self.along, why.WHOLE)
         if not moved:
-            self._acceleration(f"a_{{{B}{A}}}^{{n}}", A, self.A, "Q", Q)
-        self._acceleration(f"a_{{{B}{A}}}^{{t}}", end.letter, end, "N", self.N)
-        self._acceleration(f"a_{B}", pivot, self.O, "N", self.N)
+            self._read(f"a_{{{B}{A}}}^{{n}}", self.A, Q)
+        self._read(f"a_{{{B}{A}}}^{{t}}", end, self.N)
+        self._read(f"a_{B}", self.O, self.N)
         points = tuple(self._rod_point(letter, own) for letter, own in of.points.items())
         scales = (mu, *self.scales.values())
         return Figure(
@@ -176,24 +176,19 @@ class _Drawing:
     def _point(self, letter: str, first: Mark, second: Mark, because: str) -> Mark:
         return self.draft.draw(meet, letter, first, second, free=True, why=because)
 
-    def _velocity(self, letter: str, a: str, start: Mark, b: str, end: Mark) -> None:
-        self._read(letter, f"{a}{b}", start, end, "m/s")
-
-    def _acceleration(self, letter: str, a: str, start: Mark, b: str, end: Mark) -> None:
-        self._read(letter, f"{a}{b}", start, end, "m/s²")
-
-    def _read(self, letter: str, segment: str, start: Mark, end: Mark, unit: str) -> None:
-        """Measure a side of the figure, calculate what it stands for."""
-        because = why.VELOCITY if unit == "m/s" else why.ACCELERATION
+    def _read(self, vector: str, start: Mark, end: Mark) -> Mark:
+        """Measure a side of the figure, calculate what it stands for; return the side."""
+        segment = f"{start.letter}{end.letter}"
+        unit, because = ("m/s", why.VELOCITY) if vector[0] == "v" else ("m/s²", why.ACCELERATION)
         length = self.draft.draw(measure, segment, start, end, free=True, why=because)
-        value = self.draft.draw(in_si, letter, length, self.scales[unit], unit=unit, free=True)
-        self.quantities.append(Quantity(letter, length, value))
+        value = self.draft.draw(in_si, vector, length, self.scales[unit], unit=unit, free=True)
+        self.quantities.append(Quantity(vector, length, value))
+        return length
 
     def _gaining(self, Q: Mark) -> tuple[Mark, ...]:
         """Lay off what the pin gains behind the crank, and AQ behind that; return both ends."""
         draft, of, A, plan = self.draft, self.of, self.of.pin, self.plans.accelerations
-        self._acceleration(f"a_{{{of.slider}{A}}}^{{n}}", A, self.A, "Q", Q)
-        normal = self.quantities[-1].segment
+        normal = self._read(f"a_{{{of.slider}{A}}}^{{n}}", self.A, Q)
         epsilon = (plan.rates.get(of.driven.link) if plan else None) or of.driven.gaining(draft)
         known = self.arm, epsilon, self.omega
         length = draft.draw(f.tangential_on_figure, f"{A}{A}′", *known)
@@ -201,7 +196,7 @@ class _Drawing:
             square, f"({A}{A}′)", self.A, self.crank, sense=-1, why=why.PIN_TANGENTIAL
         )
         image = draft.draw(lay_off, f"{A}′", line, length, why=why.PIN_TANGENTIAL)
-        self._acceleration(f"a_{A}", of.pivot, self.O, f"{A}′", image)
+        self._read(f"a_{A}", self.O, image)
         along = draft.draw(parallel, f"({A}′Q′)", image, self.rod, why=why.AGAIN_NORMAL)
         return image, draft.draw(lay_off, "Q′", along, normal, why=why.AGAIN_NORMAL)
 
@@ -243,15 +238,15 @@ class _Drawing:
 
     def _rod_point(self, letter: str, own: complex) -> RodPoint:
         """Find a point of the rod on AM and AN."""
-        draft, of, small = self.draft, self.of, letter.lower()
+        draft, small = self.draft, letter.lower()
         at = self._on_rod(letter, own)
         mechanism = self.A, self.B, at
         v = draft.draw(similar, f"{small}′", self.A, self.M, *mechanism, free=True, why=why.IMAGE_V)
         a = draft.draw(
             similar, f"{small}″", self.image, self.N, *mechanism, free=True, why=why.IMAGE_A
         )
-        self._velocity(f"v_{{{letter}}}", of.pivot, self.O, f"{small}′", v)
-        self._acceleration(f"a_{{{letter}}}", of.pivot, self.O, f"{small}″", a)
+        self._read(f"v_{{{letter}}}", self.O, v)
+        self._read(f"a_{{{letter}}}", self.O, a)
         return RodPoint(letter, at, v, a)
 
 
