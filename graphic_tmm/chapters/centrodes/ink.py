@@ -53,7 +53,7 @@ class CentrodesInk(Seen):
     def straight(self, pen: str, start: complex, end: complex) -> Iterator[Ink]:
         """A straight line as far as it is shown."""
         part = self.window.segment(start, end) if finite(start, end) else None
-        if part is not None:
+        if part is not None and part[0] != part[1]:
             yield line(pen, *part)
 
     def branches(self, side: Side) -> list[tuple[complex, ...]]:
