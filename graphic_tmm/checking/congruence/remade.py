@@ -68,7 +68,8 @@ class Remaking:
         follow = [
             scale.symbol
             for view, scale in scales
-            if view.startswith(f"{group.plan} ") and scale.unit == per_mm(group.unit) != mark.unit
+            if view == f"{group.plan} {scale.symbol}"
+            and scale.unit == per_mm(group.unit) != mark.unit
         ]
         return follow[0] if follow else mark.name
 
