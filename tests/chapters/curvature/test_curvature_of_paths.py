@@ -97,7 +97,7 @@ def case(k: int) -> Case:
         "positions": 8,
     }
     scene = {"title": "T", "language": "en", "frame": frame, "link": links, "drive": drive}
-    if k % 2 == 0 or sliding and k % 8 > 3:
+    if k % 2 == 0 or (sliding and k % 8 > 3):
         return _with_dyad(rng, scene, lambda phi: coupler(phi)[:2], sliding=k % 4 == 2)
     scene["curvature"] = {"points": ["K"], "positions": [1]}
     return Case(scene, lambda phi: coupler(phi)[0], lambda phi: coupler(phi)[1])
