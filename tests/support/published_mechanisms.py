@@ -1,7 +1,7 @@
 """Mechanisms of published problems of centres, curvature, hodographs: lengths in m, the crank turns about O.
 
-Source, unless a test says more: Мещерский И. В., Задачи по теоретической механике (sections 16 and 18 of the
-editions from 1960 on). The book itself was not at hand: data and answers are as a public collection of solved
+Source, unless a test says more: Мещерский И. В., Задачи по теоретической механике (sections 12, 16 and 18
+of the editions from 1960 on). The book itself was not at hand: data and answers are as a public collection of solved
 problems of that book prints them; what it prints of two answers besides what it computes itself is kept apart.
 """
 
@@ -69,3 +69,19 @@ def swinging_cylinder(**more: Any) -> Scene:
     ]
     drive = {"speed": "5 rad/s", **more.pop("drive", {})}
     return _scene({"O": [0, 0], "C": [0.6, 0]}, links, drive, **more)
+
+
+def cardioid(a: float, omega: float, **more: Any) -> Scene:
+    """12.30 to 12.32: a crank of a/2, a rod AM = a that passes through a sleeve on the crank's circle.
+
+    From the sleeve C the way to M is r = a·(1 + cos(ωt/2)), at the angle ωt/2: M goes along a cardioid.
+    """
+    guides = {"z": {"through": [0, 0], "angle": "0 deg"}}
+    links = [
+        crank(a / 2),
+        {"number": 2, "points": {"A": [0, 0], "M": [a, 0]}, "guides": guides},
+        {"number": 3, "points": {"C": [0, 0]}, "slides": {"on": 2, "along": "z", "side": "-"}},
+    ]
+    drive = {"speed": f"{omega!r} rad/s", "from": "-150 deg", "to": "150 deg", "positions": 11}
+    drive |= more.pop("drive", {})
+    return _scene({"O": [0, 0], "C": [-a / 2, 0]}, links, drive, **more)

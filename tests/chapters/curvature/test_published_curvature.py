@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from support.published_mechanisms import slider_crank, swinging_cylinder
+from support.published_mechanisms import cardioid, slider_crank, swinging_cylinder
 
 import graphic_tmm
 
@@ -65,3 +65,12 @@ def test_an_answer_that_is_off_by_its_own_rounding() -> None:
     assert by_hand(58.8) == pytest.approx(6.12, abs=5e-3)
     assert 100.0 * radius == pytest.approx(60.0**2 / exact, rel=1e-9)
     assert 60.0**2 / by_hand(58.8) == pytest.approx(589.0, rel=0.002)
+
+
+def test_the_cardioid_of_a_rod_in_a_sleeve() -> None:
+    """Meshchersky 12.32: at t = 0 ρ = 4a/3; anywhere on a cardioid it is (4a/3)·cos(ωt/4)."""
+    a, at = 0.5, [0.0, 40.0, -95.0, 140.0]
+    found = told(cardioid(a, 2.0, curvature={"points": ["M"]}), at)
+    due = 4 * a / 3 * np.cos(np.radians(at) / 4)
+    assert found.columns["rho_M"] == pytest.approx(due, rel=1e-9)
+    assert found.columns["rho_M"][0] == pytest.approx(4 * a / 3, rel=1e-12)

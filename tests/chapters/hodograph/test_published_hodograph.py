@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from support.boards import in_usual_size
-from support.published_mechanisms import slider_crank, swinging_cylinder
+from support.published_mechanisms import cardioid, slider_crank, swinging_cylinder
 
 import graphic_tmm
 from graphic_tmm.chapters.hodograph.plan import HODOGRAPH_PLAN
@@ -41,3 +41,19 @@ def test_the_end_of_a_rod_in_a_swinging_cylinder() -> None:
     due = 0.6 * np.hypot(0.6 / away, 0.12 / away**2 * (away - 0.6))
     assert speeds[[1, 3]] == pytest.approx(due, rel=1e-9)
     assert speeds[1] == pytest.approx(0.5888, rel=1e-3)
+
+
+def test_the_cardioid_of_a_rod_in_a_sleeve() -> None:
+    """Meshchersky 12.30, 12.31: v = aω·cos(ωt/4), w = (aω²/4)·√(5 + 4·cos(ωt/2)): both hodographs of M."""
+    a, omega = 0.5, 2.0
+    asks = {"points": ["M"], "accelerations": True}
+    scene = cardioid(a, omega, hodograph=asks, drive={"accelerations": "all"})
+    (drawn,) = in_usual_size(graphic_tmm.read(scene), exact=True).boards
+    first, second = HODOGRAPH_PLAN.on(drawn).curves
+    turned = np.array([phi for phi in drawn.project.coordinates if phi is not None])
+    turned = np.radians((turned + 180.0) % 360.0 - 180.0)
+    due = {first: a * omega * np.cos(turned / 4),
+           second: a * omega**2 / 4 * np.sqrt(5 + 4 * np.cos(turned / 2))}  # fmt: skip
+    for one, size in due.items():
+        ends = drawn.reading[one.end][0] * drawn.scales[one.plan].value
+        assert np.abs(ends) == pytest.approx(size, rel=1e-9)
