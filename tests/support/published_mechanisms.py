@@ -1,8 +1,8 @@
 """Mechanisms of published problems of centres, curvature, hodographs: lengths in m, the crank turns about O.
 
-Source, unless a test says more: Мещерский И. В., Задачи по теоретической механике (sections 12, 16 and 18
-of the editions from 1960 on). The book itself was not at hand: data and answers are as a public collection of solved
-problems of that book prints them; what it prints of two answers besides what it computes itself is kept apart.
+Source, unless a test says more: Мещерский И. В., Задачи по теоретической механике, sections 12, 16 and 18. The
+book itself was not at hand: data, answers and numbers are as a public collection of its solved problems gives
+them. Where that collection says that a printed answer differs from its own figure, the test has both.
 """
 
 from __future__ import annotations
