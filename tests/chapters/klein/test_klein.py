@@ -148,7 +148,7 @@ def test_the_acceptance_figure_of_the_field(tmp_path: Path, view: str) -> None:
 def test_a_published_figure(tmp_path: Path, view: str) -> None:
     """Khurmi R. S., Gupta J. K., Theory of Machines, example of Klein's construction (readings from memory).
 
-    Crank 200 mm, rod 700 mm, 120 rad/s, 30° from the inner dead centre (the task stands so at askfilo.com, too);
+    Crank 200 mm, rod 700 mm, 120 rad/s, 30° from the inner dead centre (askfilo.com has the task so, too);
     read off paper: OM 127, CM 173, QN 93, NO 200 mm; of the middle of the rod 140 and 193 mm. They are within
     2 % of what is exact.
     """
