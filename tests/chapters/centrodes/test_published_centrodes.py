@@ -1,7 +1,10 @@
 """Centrodes that books name as curves: circles, hyperbolas, ellipses.
 
-Source: Мещерский И. В., Задачи по теоретической механике, section 17 (told from memory, numbers of problems
-not verified; the answers are curves, which is why they can be held to all digits).
+Sources: Мещерский И. В., Задачи по теоретической механике, section 17 (told from memory, numbers not verified);
+F. van Schooten, Exercitationum mathematicarum libri quinque, Leiden 1657, as the museum of machines in Modena
+tells it (www.mmlab.unimore.it: iperbolografo, ellissografo ad antiparallelogramma): the place where bars of a
+crossed four-bar meet goes along a hyperbola on a long bar, along an ellipse on a short one. The answers are
+curves, which is why they can be held to all digits.
 """
 
 from __future__ import annotations
@@ -45,3 +48,15 @@ def test_a_crossed_four_bar_on_a_long_link() -> None:
     for curve in (fixed[there], moving[there]):
         apart = np.abs(np.abs(curve) - np.abs(curve - long))
         assert (np.abs(apart - short) / np.abs(curve)).max() < 1e-9
+
+
+def test_a_crossed_four_bar_on_a_short_link() -> None:
+    """OD = AB = 70, OA = BD = 110 mm: ellipses with the foci O, D and A, B; the sum of distances is 110 mm."""
+    short, long = 0.07, 0.11
+    scene = four_bar(
+        (long, short, long), short + 0j, "2 rad/s", "right", centrodes={"link": 2},
+        drive={"from": "20 deg", "to": "160 deg", "positions": 15},
+    )  # fmt: skip
+    for curve in centrodes(scene, np.arange(21.0, 160.0, 4.0)):
+        away = np.abs(curve) + np.abs(curve - short)
+        assert np.abs(away - long).max() < 1e-9 * long
