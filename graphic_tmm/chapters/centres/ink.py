@@ -41,7 +41,7 @@ Stretch = tuple[Ends, Sequence[tuple[complex, complex, tuple[Centre, ...]]]]
 """What is drawn of a line: its ends, mm; tips of arrows there, their ways, the far centres they lead to."""
 
 
-class _Scheme:
+class SchemeInk:
     """The scheme in one position while it is inked."""
 
     def __init__(
@@ -155,7 +155,7 @@ def draw_scheme(
     on: Subject, made: Centres, reaches: Mapping[Figure, Reach], place: int, times: float
 ) -> Drawing:
     """Return the scheme of centres in one position; ``times``: how much larger than the plan of positions."""
-    ink = _Scheme(on, made, reaches, place, times)
+    ink = SchemeInk(on, made, reaches, place, times)
     lines = ink.lines()
     rules: dict[Mark, Rule] = {k: leaving(line("thin", *one[0])) for k, one in lines.items()}
     rules |= dict(ink.circles())

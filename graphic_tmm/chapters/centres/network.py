@@ -89,6 +89,7 @@ class Network:
         self.places, self.size = list(places), size
         self.centres: dict[Pair, Centre] = {}
         self._lines: dict[frozenset[Mark], Mark] = {}
+        self._rays: dict[Mark, Mark] = {}
 
     def pair(self, first: int, second: int) -> Pair:
         """Return two links in the order of their letter: the frame stands behind, else the lesser before."""
@@ -207,6 +208,13 @@ class Network:
             self._lines[key] = line
         return self._lines[key]
 
+    def ray(self, pole: Mark, image: Mark) -> Mark:
+        """Draw the line of a velocity on its plan, once."""
+        if image not in self._rays:
+            name = f"(p{image.name})"
+            self._rays[image] = self.draw(join, name, pole, image, why=why.VELOCITY)
+        return self._rays[image]
+
     def by_normals(
         self, link: int, points: Mapping[Mark, Mark], pole: Mark, *, turned: bool
     ) -> bool:
@@ -223,7 +231,7 @@ class Network:
         _, far, pair = max(found, default=(0.0, False, None), key=lambda k: k[0])
         if pair is not None:
             for k in pair:
-                ray = self.draw(join, f"(p{points[k].name})", pole, points[k], why=why.VELOCITY)
+                ray = self.ray(pole, points[k])
                 op = parallel if turned else square
                 lines.append(self.draw(op, f"(⊥v_{k.name})", k, ray, why=why.NORMAL))
             mark = lines[0]

@@ -126,7 +126,7 @@ def _turning(drawn: Drawn, made: Centres, one: Rotation, place: int) -> list[lis
     own, plan = (_figure(drawn, mark, place) for mark in (one.omega, one.plan))
     if one.alike:
         own *= KINEMATICS_PLAN.on(drawn).sense
-    found = [_cell(own, 4, drawn), _cell(abs(plan) if one.by_point else plan, 4, drawn), units]
+    found = [_cell(own, 4, drawn), _cell(plan, 4, drawn), units]
     lengths = " : ".join(_cell(_figure(drawn, k, place), 1, drawn) for k in one.ends) or NONE
     if one.ratio is None:
         return [[name, lengths, *found]]
