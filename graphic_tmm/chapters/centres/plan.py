@@ -10,7 +10,13 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along, parallel, square
+from graphic_tmm.board.operations.instruments import (
+    lay_off,
+    measure,
+    measure_along,
+    parallel,
+    square,
+)
 from graphic_tmm.board.operations.statics import arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Line, Number, Point

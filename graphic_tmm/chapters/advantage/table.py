@@ -1,0 +1,76 @@
+"""The columns of forces by centres: arms, loads at what drives, what balances them, differences, advantage."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from graphic_tmm.board.record import Mark, segment_name
+from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.advantage.plan import ADVANTAGE_PLAN, Advantage
+from graphic_tmm.chapters.advantage.task import ADVANTAGE
+from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
+from graphic_tmm.readers.protocol import Protocols
+
+
+class Named(NamedTuple):
+    """A figure as tables call it; ``arm``: a length that is measured."""
+
+    segment: str
+    mark: Mark
+    arm: bool = False
+
+
+def figures(made: Advantage) -> Iterator[Named]:
+    """Yield the figures in their order."""
+    arms = [one.arm for one in made.loads] + [made.tool]
+    for own in arms:
+        if own is not None:
+            yield Named(segment_name(own.height.letter), own.height, arm=True)
+    for one in made.loads:
+        yield Named(segment_name(one.value.letter), one.value)
+    if made.total is None or made.balance is None:
+        return
+    if made.total != made.loads[0].value:
+        yield Named(f"sum_{_stem(made.total)}", made.total)
+    stem = "P_tool" if made.tool is not None else f"{_stem(made.balance)}_bal"
+    yield Named(f"{stem}_centres", made.balance)
+    for name, mark in zip(("difference", "lever_difference"), made.off, strict=False):
+        yield Named(f"{stem}_{name}", mark)
+    if made.gain is not None:
+        yield Named("mechanical_advantage", made.gain)
+
+
+def _stem(mark: Mark) -> str:
+    return "M" if mark.unit == "N·m" else "P"
+
+
+def columns(drawn: Drawn) -> Iterator[Column]:
+    """Yield the figures in the positions that have both centres and forces."""
+    made = ADVANTAGE_PLAN.of(drawn)
+    if made is None:
+        return
+    mu, count = CENTRES_PLAN.on(drawn).mu, len(drawn.names)
+    for one in figures(made):
+        mm = _row(made, drawn, one.mark, None) if one.arm else empty(count)
+        value = _row(made, drawn, one.mark, mu if one.arm else None)
+        if one.mark.unit == "%":
+            value = np.round(value, drawn.percent_decimals) + 0.0
+        unit = "m" if one.arm else one.mark.unit
+        shown = (np.abs(mm), np.abs(value)) if one.arm else (mm, value)
+        yield Column(ADVANTAGE, one.segment, one.mark.name, unit, *shown)
+
+
+def _row(made: Advantage, drawn: Drawn, mark: Mark, by: Mark | None) -> Reals:
+    """Return figures at the positions asked for, NaN at the others."""
+    value, places = drawn.reading.figure(mark, by), list(made.places)
+    whole = np.broadcast_to(value, (len(value), len(drawn.names)))
+    return row_of(whole[:, places], places, len(drawn.names))
+
+
+TABLE = Tabled(columns=columns)
+PROTOCOL = Protocols(views=lambda project: {ADVANTAGE: (ADVANTAGE,)})
