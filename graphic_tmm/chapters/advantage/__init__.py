@@ -8,9 +8,9 @@ lever of Zhukovsky. A crank whose balancing force is wanted has it at its pin, s
 that drives has its force by ω_i/v_1 in 1/m. A link whose P_i0 lies at infinity translates: its points move as
 the common centre with a link that turns, P_1i, so the force is carried there, parallel, and turns that link.
 
-The mechanical advantage is that of the books: output force over input force, (ω_in·r_in)/(ω_out·r_out) without
-losses; r_in is the crank, r_out the arm h of the one external force about its centre. Of one external moment it
-is ω_in/ω_out. Where a force is sought at a tool, it is that force's. It is given where one external load acts.
+The mechanical advantage of an external load is that of the books: output force over input force, without losses
+(ω_in·r_in)/(ω_out·r_out); r_in is the crank, r_out the arm h of the force about its centre. Of a moment it is
+ω_in/ω_out. Each load has its own, as if it acted alone; where a force is sought at a tool, it is that force's.
 
 Nothing of this knows of the plans of forces and the lever, so both are held against it. Where P_i0 is not
 there (parallel lines of centres), or the load does not move (a dead place), there is no figure, and a finding

@@ -71,6 +71,9 @@ def draw_arms(
             at, -way if size < 0 else way, length_of(size, largest), called, text,
             "rod" if force is tool else "over",
         )  # fmt: skip
+        if own.own is not None:
+            beside = seen.point(own.own, place), -way if size < 0 else way
+            arrows.put(*beside, length_of(size, largest), called, text._replace(more=()), "thin")
         wanted += _arm(on, ink, own, place)
     for one in made.loads:
         if isinstance(one.load, Couple):
@@ -84,10 +87,10 @@ def draw_arms(
     named = (Named(ink.seen.point(k, place), text, (k.slot,), place) for k, text in letters)
     wanted = [*lettered(shared(named), on.heights.point, PAIR), *wanted, *arrows.wanted]
     strokes: list[Ink] = [*traces.staying, *mechanism, *arrows.strokes]
-    for own in arms:
-        if own.about not in centres.points.values():
-            spot = circle("joint", seen.point(own.about, place), RADIUS)
-            strokes += body([spot], "centre", [own.about], place)
+    for mark in used:
+        if mark in names and mark not in centres.points.values():
+            spot = circle("joint", seen.point(mark, place), RADIUS)
+            strokes += body([spot], "centre", [mark], place)
     circled = link_numbers(ink.links, place, strokes, wanted, on.heights.number)
     strokes += [stroke for one in circled for stroke in one.strokes]
     found = traces.drawing(on, strokes, wanted, [one.label for one in circled])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -28,7 +27,8 @@ from graphic_tmm.scene.chapter import Recorded
 class Arm(NamedTuple):
     """How a force turns its link: the centre, the point and the line of the force in the scheme, the arm.
 
-    ``ratio``: how fast the link turns by what drives.
+    ``ratio``: how fast the link turns by what drives; ``own``: where a force acts that is carried to another
+    link's point.
     """
 
     about: Mark
@@ -36,6 +36,7 @@ class Arm(NamedTuple):
     line: Mark
     height: Mark
     ratio: Mark
+    own: Mark | None = None
 
 
 class AtDrive(NamedTuple):
@@ -53,7 +54,8 @@ class Advantage:
 
     ``places``: the positions (indices) that have both; ``lacks``: the links whose loads no centre carries to
     what drives; ``balance``: what balances it, or the force that is sought (``tool``); ``off``: its differences
-    from the force plans and from the lever, %; ``gain``: the mechanical advantage.
+    from the force plans and from the lever, %; ``gains``: the mechanical advantage of each external load on a
+    driven link, by its size.
     """
 
     places: tuple[int, ...]
@@ -64,7 +66,7 @@ class Advantage:
     total: Mark | None = None
     balance: Mark | None = None
     off: tuple[Mark, ...] = ()
-    gain: Mark | None = None
+    gains: dict[Mark, Mark] = field(default_factory=dict)
 
 
 ADVANTAGE_PLAN: Recorded[Advantage] = Recorded(ADVANTAGE)
@@ -124,7 +126,7 @@ class _Balance:
             draft.draw(apart_percent, f"Δ_{index}", made.balance, mark, unit="%")
             for index, mark in zip("Rl", due, strict=False)
         )
-        made.gain = self._gain()
+        self._gain()
 
     def _named(self, stem: str) -> str:
         return f"{stem}{'M' if self.turning else 'P'}"
@@ -184,13 +186,14 @@ class _Balance:
             return None
         through, link = standing
         because = why.ACTION if through is None else why.CARRIED
-        point = through or self._point(force.point)
+        own = self._point(force.point)
+        point = through or own
         centre, ratio = self._centre(link), self._ratio(link)
         assert centre is not None
         assert ratio is not None
         line = draft.draw(parallel, f"({letter})", point, force.line, sense=1, why=because)
         height = draft.draw(arm, f"h_{{{bare(letter)}}}", centre, line, why=why.ARM)
-        return Arm(centre, point, line, height, ratio)
+        return Arm(centre, point, line, height, ratio, None if through is None else own)
 
     def _standing(self, link: int) -> tuple[Mark | None, int] | None:
         """Return the link that a force turns: its own, or one that moves as it does in their common centre."""
@@ -243,23 +246,30 @@ class _Balance:
         name = f"{pivot.name}{pin.name}"
         return known or self.draft.draw(measure, name, pivot, pin, why=why.RADIUS)
 
-    def _outputs(self) -> Iterator[tuple[Mark, Arm | None]]:
-        """Yield the loads of which there may be an advantage: ratios, arms."""
-        if self.forces.tool is not None:
-            if self.made.tool is not None:
-                yield self.made.tool.ratio, self.made.tool
+    def _gain(self) -> None:
+        """Calculate the mechanical advantage of the force that is sought, else of each external load."""
+        tool, made = self.forces.tool, self.made
+        if tool is not None and made.tool is not None:
+            self._advantage(tool.force.value, made.tool.ratio, made.tool)
             return
-        for one in self.made.loads:
-            yield one.ratio, one.arm
+        for one in made.loads:
+            if self._external(one.load.value) and one.load.link != self.pair.link:
+                self._advantage(one.load.value, one.ratio, one.arm)
 
-    def _gain(self) -> Mark | None:
-        """Calculate the mechanical advantage, where there is one external load."""
-        outputs, draft = tuple(self._outputs()), self.draft
-        if len(outputs) != 1:
-            return None
-        ratio, own = outputs[0]
+    def _external(self, size: Mark) -> bool:
+        """Whether a load is one that the scene gives, as it stands or with the sign of a motion."""
+        given = {*self.forces.loads.given}
+        known = size in given or size in self.draft.given
+        return size in given if known else bool(given & {*self.draft.uses(size)})
+
+    def _advantage(self, load: Mark, ratio: Mark, own: Arm | None) -> None:
+        draft, letter = self.draft, f"i_{{{bare(load.letter)}}}"
         if own is None:
-            return draft.draw(f.advantage_of_moment, "i_P", ratio) if self.turning else None
-        if self.turning:
-            return draft.draw(f.advantage_of_pin, "i_P", self._radius(), own.height, ratio)
-        return draft.draw(f.advantage_of_slide, "i_P", own.height, self.centres.mu, ratio)
+            if self.turning:
+                self.made.gains[load] = draft.draw(f.advantage_of_moment, letter, ratio)
+        elif self.turning:
+            uses = self._radius(), own.height, own.ratio
+            self.made.gains[load] = draft.draw(f.advantage_of_pin, letter, *uses)
+        else:
+            uses = own.height, self.centres.mu, own.ratio
+            self.made.gains[load] = draft.draw(f.advantage_of_slide, letter, *uses)

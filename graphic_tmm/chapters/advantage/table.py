@@ -41,8 +41,8 @@ def figures(made: Advantage) -> Iterator[Named]:
     yield Named(f"{stem}_centres", made.balance)
     for name, mark in zip(("difference", "lever_difference"), made.off, strict=False):
         yield Named(f"{stem}_{name}", mark)
-    if made.gain is not None:
-        yield Named("mechanical_advantage", made.gain)
+    for mark in made.gains.values():
+        yield Named(segment_name(mark.letter), mark)
 
 
 def _stem(mark: Mark) -> str:

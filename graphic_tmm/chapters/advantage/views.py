@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark
@@ -12,6 +13,7 @@ from graphic_tmm.chapters.advantage.table import figures
 from graphic_tmm.chapters.advantage.task import ADVANTAGE
 from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import CENTRES
+from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
@@ -53,19 +55,23 @@ def arm_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         force = tool.force if tool is not None else None
         view = draw_arms(on, centres, made, force, (reaches(drawn), times), place)
         found.append(with_caption(view, on, lettered, mu_text(scale, on.language)))
-        found += balance(drawn, made, place, title)
+        found += balance(drawn, made, place)
     return found
 
 
 class _Cells:
     """Figures of a position as a table has them."""
 
-    def __init__(self, drawn: Drawn, place: int) -> None:
-        self.drawn, self.place, self.language = drawn, place, drawn.scene.language
+    def __init__(self, drawn: Drawn, made: Advantage, place: int) -> None:
+        self.drawn, self.made, self.place = drawn, made, place
+        self.language = drawn.scene.language
 
     def value(self, mark: Mark, decimals: int | None = None) -> str:
+        """Return the figure of a mark."""
+        return self.figure(value_at(self.drawn.reading.figure(mark), self.place).real, decimals)
+
+    def figure(self, value: float, decimals: int | None = None) -> str:
         """Return a figure: four digits, or so many decimals."""
-        value = value_at(self.drawn.reading.figure(mark), self.place).real
         if value != value:
             return NONE
         if decimals is None:
@@ -77,36 +83,43 @@ class _Cells:
         """Return a letter as it is written."""
         return markup(symbol(name, self.language))
 
-    def load(self, letter: str, size: Mark, own: Arm | None, ratio: Mark) -> list[str]:
-        """Return the cells of a load before what it is at the drive."""
-        height = NONE if own is None else self.value(own.height, 1)
-        sized = f"{self.value(size)} {unit(size.unit, self.language)}"
-        return [self.letter(letter), sized, height, self.value(ratio)]
+    def load(
+        self, load: Force | Couple, own: Arm | None, ratio: Mark, at: Mark | None
+    ) -> list[str]:
+        """Return the cells of a load: a force by its size, its arm with the sense in which it turns."""
+        size, height = (
+            value_at(self.drawn.reading.figure(mark), self.place).real if mark else math.nan
+            for mark in (load.value, own and own.height)
+        )
+        shown = abs(size) if own is not None else size
+        sized = f"{self.figure(shown)} {unit(load.value.unit, self.language)}"
+        arm_ = self.figure(math.copysign(1.0, size) * height, 1)
+        gain = self.made.gains.get(load.value)
+        ends = [NONE if mark is None else self.value(mark) for mark in (at, gain)]
+        return [self.letter(load.letter), sized, arm_, self.value(ratio), *ends]
 
 
-def balance(drawn: Drawn, made: Advantage, place: int, title: str) -> Iterator[Drawing]:
+def balance(drawn: Drawn, made: Advantage, place: int) -> Iterator[Drawing]:
     """Yield the tables of a position: loads, arms, ratios, what they are at the drive; the balance."""
     words, language = captions(drawn.scene.language), drawn.scene.language
-    cells, tool = _Cells(drawn, place), FORCES_PLAN.on(drawn).tool
-    rows = [
-        [*cells.load(one.load.letter, one.load.value, one.arm, one.ratio), cells.value(one.value)]
-        for one in made.loads
-    ]
+    cells, tool = _Cells(drawn, made, place), FORCES_PLAN.on(drawn).tool
+    rows = [cells.load(one.load, one.arm, one.ratio, one.value) for one in made.loads]
     if tool is not None and made.tool is not None:
-        own = made.tool
-        rows.append([*cells.load(tool.force.letter, tool.force.value, own, own.ratio), NONE])
+        rows.append(cells.load(tool.force, made.tool, made.tool.ratio, None))
     per, mm = unit(made.loads[0].value.unit, language), unit("mm", language)
-    heads = [words["load"], words["value"], f"{words['arm h']}, {mm}", words["ratio u"]]
+    heads = [words["load"], words["load size"], f"{words['arm h']}, {mm}", words["ratio u"]]
     high, name = heights(drawn.scene, ADVANTAGE, CENTRES), drawn.names[place]
     yield ruled_table(
-        f"table-{ADVANTAGE}-{name}", title, [*heads, f"{words['at the drive']}, {per}"], rows,
-        size=high.number, title_size=high.title, align=["left", *["centre"] * 4],
+        f"table-{ADVANTAGE}-{name}", f"{words['loads at drive']}, {words['position']} {escape(name)}",
+        [*heads, f"{words['at the drive']}, {per}", words["mechanical advantage"]], rows,
+        size=high.number, title_size=high.title, align=["left", *["centre"] * 5],
     )  # fmt: skip
     found = [
         [words[told], cells.value(mark, 2 if mark.unit == "%" else None), unit(mark.unit, language)]
         for told, mark in balanced(drawn, made)
     ]
     if found:
+        title = f"{words['centre balance']}, {words['position']} {escape(name)}"
         yield results(f"table-{ADVANTAGE}-balance-{name}", title, found, language, high)
 
 
@@ -126,8 +139,6 @@ def balanced(drawn: Drawn, made: Advantage) -> Iterator[tuple[str, Mark]]:
         yield "by lever", forces.first.lever.balance
     told = ("off lever",) if forces.tool is not None else ("off force plans", "off lever")
     yield from zip(told, made.off, strict=True)
-    if made.gain is not None:
-        yield "mechanical advantage", made.gain
 
 
 SHOWN = Views(draw={ADVANTAGE: arm_views})

@@ -9,7 +9,9 @@ from graphic_tmm.scene.captions import Named
 CAPTIONS: dict[str, str] = {
     f"chapter {ADVANTAGE}": said("Forces by the centres"),
     ADVANTAGE: said("Forces by the centres"),
+    "centre balance": said("Balance by the centres"),
     "load": said("load"),
+    "load size": said("size"),
     "arm h": said("arm h"),
     "ratio u": said("ratio u"),
     "at the drive": said("at the drive"),
@@ -20,9 +22,10 @@ CAPTIONS: dict[str, str] = {
     "by lever": said("by lever"),
     "off force plans": said("difference from force plans"),
     "off lever": said("difference from lever"),
-    "mechanical advantage": said("mechanical advantage"),
+    "loads at drive": said("Loads at the drive"),
+    "mechanical advantage": said("mechanical advantage i"),
 }
-SYMBOLS = (("i_P", said("mechanical advantage"), ""),)
+SYMBOLS = (("i_{F5}", said("mechanical advantage of a load"), ""),)
 WORDS = Named(captions=CAPTIONS, plans=(ADVANTAGE,), sources=("artobolevsky",), symbols=SYMBOLS)
 
 ACTION = said("The force acts along this line; its arm is measured from the centre of its link.")

@@ -151,6 +151,17 @@ class SchemeInk:
             yield [one._replace(of=slots, position=self.place) for one in head], letter
 
 
+def _shared_letters(arrows: Sequence[Wanted]) -> Iterator[Wanted]:
+    """Yield the letters of arrows: of those to one centre, close together, the one with most room about it."""
+    left = list(arrows)
+    while left:
+        first = left[0]
+        near = [k for k in left if k.text == first.text and abs(k.at - first.at) < TOGETHER]
+        left = [k for k in left if k not in near]
+        away = [k.at for k in arrows if k.text != first.text]
+        yield max(near, key=lambda own: min((abs(z - own.at) for z in away), default=0.0))
+
+
 def draw_scheme(
     on: Subject, made: Centres, reaches: Mapping[Figure, Reach], place: int, times: float
 ) -> Drawing:
@@ -161,13 +172,12 @@ def draw_scheme(
     rules |= dict(ink.circles())
     traces = figure(ink.seen, showing(rules), helping=False)
     strokes = [*traces.staying, *ink.mechanism()]
-    wanted = ink.letters()
+    wanted, arrows = ink.letters(), list[Wanted]()
     for mark, stretch in lines.items():
         for head, letter in ink.arrows(mark, stretch):
             strokes += head
-            near = [k for k in wanted if k.text == letter.text and abs(k.at - letter.at) < TOGETHER]
-            if not near:
-                wanted.append(letter)
+            arrows.append(letter)
+    wanted += _shared_letters(arrows)
     circled = link_numbers(ink.links, place, strokes, wanted, on.heights.number)
     strokes += [stroke for one in circled for stroke in one.strokes]
     found = traces.drawing(on, strokes, wanted, [one.label for one in circled])
