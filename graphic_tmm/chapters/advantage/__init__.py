@@ -16,7 +16,7 @@ Nothing of this knows of the plans of forces and the lever, so both are held aga
 there (parallel lines of centres), or the load does not move (a dead place), there is no figure, and a finding
 says so.
 
-Draws: place ``advantage``, behind the centres: the forces in the scheme of centres with their arms, a table.
+Draws: place ``advantage``, behind the centres: the forces in the scheme of centres with their arms, tables.
 Builds on centres and on forces, and is there where a scene calls for both.
 
 Sources: Norton R. L., Design of Machinery (mechanical advantage; using instant centers to calculate it);

@@ -17,7 +17,7 @@ from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.protocol import Protocols
 
 
-class Named(NamedTuple):
+class ArmOrFigure(NamedTuple):
     """A figure as tables call it; ``arm``: a length that is measured."""
 
     segment: str
@@ -25,24 +25,24 @@ class Named(NamedTuple):
     arm: bool = False
 
 
-def figures(made: Advantage) -> Iterator[Named]:
+def figures(made: Advantage) -> Iterator[ArmOrFigure]:
     """Yield the figures in their order."""
     arms = [one.arm for one in made.loads] + [made.tool]
     for own in arms:
         if own is not None:
-            yield Named(segment_name(own.height.letter), own.height, arm=True)
+            yield ArmOrFigure(segment_name(own.height.letter), own.height, arm=True)
     for one in made.loads:
-        yield Named(segment_name(one.value.letter), one.value)
+        yield ArmOrFigure(segment_name(one.value.letter), one.value)
     if made.total is None or made.balance is None:
         return
     if made.total != made.loads[0].value:
-        yield Named(f"sum_{_stem(made.total)}", made.total)
+        yield ArmOrFigure(f"sum_{_stem(made.total)}", made.total)
     stem = "P_tool" if made.tool is not None else f"{_stem(made.balance)}_bal"
-    yield Named(f"{stem}_centres", made.balance)
+    yield ArmOrFigure(f"{stem}_centres", made.balance)
     for name, mark in zip(("difference", "lever_difference"), made.off, strict=False):
-        yield Named(f"{stem}_{name}", mark)
+        yield ArmOrFigure(f"{stem}_{name}", mark)
     for mark in made.gains.values():
-        yield Named(segment_name(mark.letter), mark)
+        yield ArmOrFigure(segment_name(mark.letter), mark)
 
 
 def _stem(mark: Mark) -> str:
