@@ -16,6 +16,9 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
 from graphic_tmm.readers.protocol import Protocols
 
+OFF_PLANS, OFF_LEVER = "difference", "lever_difference"
+"""How the columns of both differences end; of a force that is sought the first is that from the lever."""
+
 
 class ArmOrFigure(NamedTuple):
     """A figure as tables call it; ``arm``: a length that is measured."""
@@ -36,16 +39,21 @@ def figures(made: Advantage) -> Iterator[ArmOrFigure]:
     if made.total is None or made.balance is None:
         return
     if made.total != made.loads[0].value:
-        yield ArmOrFigure(f"sum_{_stem(made.total)}", made.total)
-    stem = "P_tool" if made.tool is not None else f"{_stem(made.balance)}_bal"
-    yield ArmOrFigure(f"{stem}_centres", made.balance)
-    for name, mark in zip(("difference", "lever_difference"), made.off, strict=False):
-        yield ArmOrFigure(f"{stem}_{name}", mark)
+        yield ArmOrFigure(f"sum_{_letter(made.total)}", made.total)
+    yield ArmOrFigure(f"{stem(made)}_centres", made.balance)
+    for name, mark in zip((OFF_PLANS, OFF_LEVER), made.off, strict=False):
+        yield ArmOrFigure(f"{stem(made)}_{name}", mark)
     for mark in made.gains.values():
         yield ArmOrFigure(segment_name(mark.letter), mark)
 
 
-def _stem(mark: Mark) -> str:
+def stem(made: Advantage) -> str:
+    """Return how the columns of what balances begin, or of the force that is sought."""
+    balance = made.balance
+    return f"{_letter(balance)}_bal" if balance is not None and made.tool is None else "P_tool"
+
+
+def _letter(mark: Mark) -> str:
     return "M" if mark.unit == "N·m" else "P"
 
 

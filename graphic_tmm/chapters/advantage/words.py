@@ -39,4 +39,4 @@ ARM = said(
 )
 SUM = said("The powers of all loads add up.")
 BALANCE = said("What drives has the power of all loads, reversed.")
-RADIUS = said("The balancing force acts at the crank pin, square to the crank.")
+RADIUS = said("What drives acts at the crank pin, square to the crank.")
