@@ -11,6 +11,7 @@ from graphic_tmm.chapters.advantage.ink import draw_arms
 from graphic_tmm.chapters.advantage.plan import ADVANTAGE_PLAN, Advantage, Arm
 from graphic_tmm.chapters.advantage.table import figures
 from graphic_tmm.chapters.advantage.task import ADVANTAGE
+from graphic_tmm.chapters.centres.ink import SchemeInk
 from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.forces.loads import Couple, Force
@@ -53,7 +54,8 @@ def arm_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         title = f"{words[ADVANTAGE]}, {words['position']} {escape(name)}"
         on = subject(drawn, title, ADVANTAGE, CENTRES, name=f"{ADVANTAGE}-{name}")
         force = tool.force if tool is not None else None
-        view = draw_arms(on, centres, made, force, (reaches(drawn), times), place)
+        scheme = SchemeInk(on, centres, reaches(drawn), place, times)
+        view = draw_arms(on, centres, made, force, scheme)
         found.append(with_caption(view, on, lettered, mu_text(scale, on.language)))
         found += balance(drawn, made, place)
     return found
