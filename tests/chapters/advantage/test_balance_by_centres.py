@@ -287,7 +287,9 @@ def test_a_dead_place_has_no_advantage() -> None:
     force = {"link": 3, "point": "B", "force": 100.0, "direction": "180 deg"}
     found, made = drawn_of({**scene, "load": [force]})
     assert math.isnan(figure_of(found, *made.gains.values()))
-    assert any(one.step.it in made.gains.values() and 0 in one.positions for one in found.findings())
+    assert any(
+        one.step.it in made.gains.values() and 0 in one.positions for one in found.findings()
+    )
 
 
 def test_a_sheet_shows_arms_and_the_balance() -> None:
@@ -314,6 +316,17 @@ def test_what_cannot_be_balanced_is_told() -> None:
         warnings.simplefilter("error")
         (found,) = make(tmm.read(scene)).boards
     assert any("no position has both" in one for one in told(found, "en"))
+
+
+def test_any_angle_has_its_balance() -> None:
+    """Asked for with centres and forces, held against both other ways."""
+    loop = four_bar(random.Random(4))
+    force = {"link": 3, "point": "K3", "force": 100.0, "direction": "35 deg"}
+    scene = {**loop.scene, "load": [force]}
+    found = tmm.motion(scene, [10.0, 70.0, 200.0], plans=["centres", "forces"], exact=True)
+    for name in ("M_bal_forces", "M_bal_lever"):
+        np.testing.assert_allclose(found.balance["M_bal_centres"], found.balance[name], rtol=1e-7)
+    assert "M_bal_centres" not in tmm.motion(scene, [10.0], plans="forces", exact=True).balance
 
 
 def test_scenes_without_forces_record_nothing() -> None:
