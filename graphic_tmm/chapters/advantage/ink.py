@@ -174,7 +174,7 @@ def draw_arms(
     forces = [(one.load, one.arm, "over") for one in made.loads if isinstance(one.load, Force)]
     if tool is not None:
         forces.append((tool, made.tool, "rod"))
-    mechanism = ink.mechanism()
+    mechanism = [*ink.mechanism()]
     arms.arrows.stands_on(mechanism)
     sizes = [abs(arms.seen.number(force.value, place)) for force, _, _ in forces]
     largest = max((size for size in sizes if size == size), default=0.0)

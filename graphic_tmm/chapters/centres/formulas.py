@@ -30,10 +30,7 @@ def rate_by_ratio_clockwise(ratio: Number, omega: Number) -> Number:
     """−{ratio}·{omega}"""
 
 
-@formula(
-    fails=_TOGETHER,
-    why=said("In the common centre the link goes as the slider does."),
-)
+@formula(fails=_TOGETHER, why=said("In the common centre the link goes as the slider does."))
 def rate_by_slider(speed: Number, distance: Length, mu: Number) -> Number:
     """{speed}/({distance}·{mu})"""
 

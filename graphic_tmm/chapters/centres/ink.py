@@ -58,22 +58,16 @@ class SchemeInk:
             elif mark.kind is Point:
                 values[mark.slot] = on.reading[mark] * times
         whole = {one: reach.times(times) for one, reach in reaches.items()}
-        self.links = PositionsInk(
-            on.construction, Reading(values, on.reading.positions), whole, [place]
-        )
+        reading = Reading(values, on.reading.positions)
+        self.links = PositionsInk(on.construction, reading, whole, [place])
         self.room = (room(*spots(made, on.reading, place)) or Room(0j, 0j)).grown(EDGE)
 
-    def mechanism(self) -> list[Ink]:
-        """The links, which stand on the points of the scheme."""
+    def mechanism(self) -> Iterator[Ink]:
+        """Yield the links, which stand on the points of the scheme."""
         own = {of.slot: mark.slot for of, mark in self.made.points.items()}
-        found = [*self.links.guides(), *self.links.heavy(self.place)]
-        return [
-            stroke._replace(
-                of=tuple(own[slot] for slot in stroke.of if slot in own) or tuple(own.values()),
-                position=self.place,
-            )
-            for stroke in found
-        ]
+        for stroke in (*self.links.guides(), *self.links.heavy(self.place)):
+            of = tuple(own[slot] for slot in stroke.of if slot in own)
+            yield stroke._replace(of=of or tuple(own.values()), position=self.place)
 
     def lines(self) -> dict[Mark, Stretch]:
         """Every line of the scheme with what is drawn of it."""
@@ -151,14 +145,13 @@ class SchemeInk:
             yield [one._replace(of=slots, position=self.place) for one in head], letter
 
 
-def _shared_letters(arrows: Sequence[Wanted]) -> Iterator[Wanted]:
+def letters_of_arrows(arrows: Sequence[Wanted]) -> Iterator[Wanted]:
     """Yield the letters of arrows: of those to one centre, close together, the one with most room about it."""
     left = list(arrows)
     while left:
-        first = left[0]
-        near = [k for k in left if k.text == first.text and abs(k.at - first.at) < TOGETHER]
+        near = [k for k in left if k.text == left[0].text and abs(k.at - left[0].at) < TOGETHER]
+        away = [k.at for k in arrows if k.text != left[0].text]
         left = [k for k in left if k not in near]
-        away = [k.at for k in arrows if k.text != first.text]
         yield max(near, key=lambda own: min((abs(z - own.at) for z in away), default=0.0))
 
 
@@ -177,7 +170,7 @@ def draw_scheme(
         for head, letter in ink.arrows(mark, stretch):
             strokes += head
             arrows.append(letter)
-    wanted += _shared_letters(arrows)
+    wanted += letters_of_arrows(arrows)
     circled = link_numbers(ink.links, place, strokes, wanted, on.heights.number)
     strokes += [stroke for one in circled for stroke in one.strokes]
     found = traces.drawing(on, strokes, wanted, [one.label for one in circled])

@@ -34,6 +34,7 @@ from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.mechanism.records import Slide
 
 Pair = tuple[int, int]
+Course = Line | str | None
 SAME = 1e-9
 """Points no farther apart than this share of the mechanism are one; so much is the sine of parallel lines."""
 SQUARE = 0.5
@@ -146,7 +147,7 @@ class Network:
                 best = (*crossing, over)
         return best
 
-    def _course(self, i: int, k: int, j: int) -> Line | str | None:
+    def _course(self, i: int, k: int, j: int) -> Course:
         """Return the line through P_ik and P_kj in numbers; "infinity", or None where both are one."""
         first, second = self.centres[self.pair(i, k)], self.centres[self.pair(k, j)]
         p, q = self.values[first.mark], self.values[second.mark]
@@ -160,9 +161,7 @@ class Network:
             apart = np.abs(way) > SAME * self.size
             return Line(p, np.where(apart, way / np.abs(way), np.nan)) if apart.any() else None
 
-    def _crossing(
-        self, first: Line | str | None, second: Line | str | None
-    ) -> tuple[float, bool] | None:
+    def _crossing(self, first: Course, second: Course) -> tuple[float, bool] | None:
         """Return how squarely two lines cross, and whether they are parallel; None where they tell nothing."""
         if first is None or second is None or (isinstance(first, str) and isinstance(second, str)):
             return None

@@ -22,13 +22,7 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Line, Number, Point
 from graphic_tmm.chapters.centres import formulas as f
 from graphic_tmm.chapters.centres import words as why
-from graphic_tmm.chapters.centres.network import (
-    Centre,
-    Network,
-    Pair,
-    Scheme,
-    trial_values,
-)
+from graphic_tmm.chapters.centres.network import Centre, Network, Pair, Scheme, trial_values
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
@@ -93,12 +87,14 @@ class Centres:
         return next((one for one in self.centres if {*one.links} == {first, second}), None)
 
     @property
-    def figures(self) -> Iterator[Mark]:
-        """The ratios, the angular velocities and the velocities that the centres give."""
+    def figures(self) -> Iterator[tuple[str, Mark]]:
+        """The ratios, angular velocities and velocities that the centres give, as machines call them."""
         for one in self.rotations:
-            own = (one.ratio, None if one.alike else one.omega)
-            yield from (mark for mark in own if mark is not None and mark.view == CENTRES)
-        yield from (one.value for one in self.speeds)
+            if one.ratio is not None:
+                yield f"u{one.link}{self.driver}", one.ratio
+            if one.omega is not None and not one.alike and one.omega.view == CENTRES:
+                yield f"omega{one.link}", one.omega
+        yield from ((f"v{one.letter}", one.value) for one in self.speeds)
 
 
 CENTRES_PLAN: Recorded[Centres] = Recorded(CENTRES)
@@ -256,7 +252,7 @@ class _Finder:
         ray = self.network.ray(self.velocities.images.pole, self.scheme.images(link)[point])
         op, sense = (square, self.plans.sense) if self.turned else (parallel, 1)
         way = draw(op, f"(v_{point.name})", point, ray, sense=sense, why=why.ALONG_VELOCITY)
-        distance = draw(arm, name, own.mark, way, why=why.SIDE_OF_VELOCITY)
+        distance = draw(arm, name, own.mark, way, why=why.RADIUS)
         omega = draw(f.rate_by_point, f"ω_{link}", there[point], distance, unit="1/s")
         return Rotation(link, omega=omega, ends=(distance,), by_point=point.name)
 

@@ -38,10 +38,6 @@ IMAGE = said("The point of the link that stands has its image in the pole.")
 DIVIDED = said("The common centre lies on the line of both centres.")
 RADIUS = said("The distance from the centre, about which the link turns at this moment.")
 ALONG_VELOCITY = said("The point moves along its velocity, square to the radius from the centre.")
-SIDE_OF_VELOCITY = said(
-    "The radius from the centre, about which the link turns; positive where the point goes round it "
-    "counter-clockwise."
-)
 TO_COMMON = said("A distance from the common centre, with its side.")
 
 WAYS = {
