@@ -233,9 +233,9 @@ class _Balance:
             return draft.draw(f.unknown_by_centres, letter, *uses, unit="N")
         if self.turning and self.forces.first.balance.unit == "N":
             radius = self._radius()
-            return draft.draw(balancing, "P_{bP}", total, radius, mu, unit="N", why=why.RADIUS)
+            return draft.draw(balancing, "P_{b}^{P}", total, radius, mu, unit="N", why=why.RADIUS)
         return draft.draw(
-            reversed_, f"{self._named('')}_{{bP}}", total, unit=self.unit, why=why.BALANCE
+            reversed_, f"{self._named('')}_{{b}}^{{P}}", total, unit=self.unit, why=why.BALANCE
         )
 
     def _radius(self) -> Mark:

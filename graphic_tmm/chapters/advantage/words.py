@@ -11,7 +11,7 @@ CAPTIONS: dict[str, str] = {
     ADVANTAGE: said("Forces by the centres"),
     "centre balance": said("Balance by the centres"),
     "load": said("load"),
-    "load size": said("size"),
+    "load size": said("magnitude"),
     "arm h": said("arm h"),
     "ratio u": said("ratio u"),
     "at the drive": said("at the drive"),
