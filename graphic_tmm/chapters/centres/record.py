@@ -10,18 +10,19 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.operations.instruments import lay_off, measure, measure_along, square
+from graphic_tmm.board.operations.instruments import (
+    lay_off,
+    measure,
+    measure_along,
+    parallel,
+    square,
+)
+from graphic_tmm.board.operations.statics import arm
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Line, Number, Point
 from graphic_tmm.chapters.centres import formulas as f
 from graphic_tmm.chapters.centres import words as why
-from graphic_tmm.chapters.centres.network import (
-    Centre,
-    Network,
-    Pair,
-    Scheme,
-    trial_values,
-)
+from graphic_tmm.chapters.centres.network import Centre, Network, Pair, Scheme, trial_values
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
@@ -81,13 +82,19 @@ class Centres:
     rotations: tuple[Rotation, ...]
     speeds: tuple[PointSpeed, ...]
 
+    def of(self, first: int, second: int) -> Centre | None:
+        """Return the centre of two links; None where no line tells it."""
+        return next((one for one in self.centres if {*one.links} == {first, second}), None)
+
     @property
-    def figures(self) -> Iterator[Mark]:
-        """The ratios, the angular velocities and the velocities that the centres give."""
+    def figures(self) -> Iterator[tuple[str, Mark]]:
+        """The ratios, angular velocities and velocities that the centres give, as machines call them."""
         for one in self.rotations:
-            own = (one.ratio, None if one.alike else one.omega)
-            yield from (mark for mark in own if mark is not None and mark.view == CENTRES)
-        yield from (one.value for one in self.speeds)
+            if one.ratio is not None:
+                yield f"u{one.link}{self.driver}", one.ratio
+            if one.omega is not None and not one.alike and one.omega.view == CENTRES:
+                yield f"omega{one.link}", one.omega
+        yield from ((f"v{one.letter}", one.value) for one in self.speeds)
 
 
 CENTRES_PLAN: Recorded[Centres] = Recorded(CENTRES)
@@ -124,7 +131,7 @@ def record(bench: Bench) -> Centres | None:
     scheme.primary()
     network.close()
     _by_velocities(scheme, turned=bench.scene.turned)
-    finder = _Finder(scheme)
+    finder = _Finder(scheme, turned=bench.scene.turned)
     rotations = finder.rotations()
     speeds = tuple(finder.speeds(rotations))
     return Centres(
@@ -157,8 +164,9 @@ def _by_velocities(scheme: Scheme, *, turned: bool) -> None:
 class _Finder:
     """What is found by the centres."""
 
-    def __init__(self, scheme: Scheme) -> None:
-        plans = self.plans = scheme.plans
+    def __init__(self, scheme: Scheme, *, turned: bool) -> None:
+        plans, self.turned = scheme.plans, turned
+        self.plans = plans
         self.draft, self.network, self.scheme = scheme.draft, scheme.network, scheme
         self.velocities = scheme.velocities
         self.pair = plans.pairs[0]
@@ -240,9 +248,12 @@ class _Finder:
         if not there:
             return Rotation(link)
         point = max(there, key=lambda k: self._apart(own.mark, k))
-        name = f"{own.mark.name}{point.name}"
-        distance = self.network.draw(measure, name, own.mark, point, why=why.RADIUS)
-        omega = self.network.draw(f.rate_by_point, f"ω_{link}", there[point], distance, unit="1/s")
+        name, draw = f"{own.mark.name}{point.name}", self.network.draw
+        ray = self.network.ray(self.velocities.images.pole, self.scheme.images(link)[point])
+        op, sense = (square, self.plans.sense) if self.turned else (parallel, 1)
+        way = draw(op, f"(v_{point.name})", point, ray, sense=sense, why=why.ALONG_VELOCITY)
+        distance = draw(arm, name, own.mark, way, why=why.RADIUS)
+        omega = draw(f.rate_by_point, f"ω_{link}", there[point], distance, unit="1/s")
         return Rotation(link, omega=omega, ends=(distance,), by_point=point.name)
 
     def _readings(self, link: int) -> dict[Mark, Mark]:

@@ -28,9 +28,9 @@ def columns(drawn: Drawn) -> Iterator[Column]:
             if segment not in known:
                 known.add(segment)
                 yield Column(CENTRES, segment, step.it.name, "m", np.abs(mm), np.abs(value))
-    for mark in made.figures:
+    for name, mark in made.figures:
         row = _row(made, drawn, mark, None)
-        yield Column(CENTRES, segment_name(mark.letter), mark.name, mark.unit, empty(count), row)
+        yield Column(CENTRES, name, mark.name, mark.unit, empty(count), row)
 
 
 def _row(made: Centres, drawn: Drawn, mark: Mark, by: Mark | None) -> Reals:

@@ -85,9 +85,11 @@ class Remaking:
         """Return the scene drawn exactly, plans so many times as large; ``places``: in single positions.
 
         Of several scale factors that a length depends on those change that leave the other plans as they are.
+        Plans of the same scale factors are alike, where nothing is told of one of them.
         """
         used = [group for group in dict.fromkeys(self.groups.values()) if any(group.powers)]
-        wanted = np.array([np.log(times.get(group, 1.0)) for group in used])
+        alike = {group.powers: own for group, own in times.items()}
+        wanted = np.array([np.log(times.get(k, alike.get(k.powers, 1.0))) for k in used])
         by = np.array([group.powers for group in used], dtype=float)
         changes = np.linalg.lstsq(by, wanted, rcond=None)[0]
         boards = list(self.made.boards)

@@ -107,8 +107,6 @@ def _velocities(project: Project, moving: Moving, place: int, origin: complex) -
             assert abs(due) <= CLOSE * rates
         elif one.omega is not None and not one.alike:
             value = _at(reading[one.omega], place).real
-            if one.by_point:
-                value, due = abs(value), abs(due)
             if value == value:
                 assert abs(value - due) <= 1e-7 * rates, (one, value, due)
     for speed in made.speeds:
