@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length, Reals
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
+from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of
@@ -23,19 +23,19 @@ def columns(drawn: Drawn) -> Iterator[Column]:
     count, known = len(drawn.names), set[str]()
     for step in drawn.construction.steps:
         if step.it.view == CENTRES and step.it.kind is Length and step.op.reads:
-            mm, value = (_row(made, drawn, step.it, by) for by in (None, made.mu))
+            mm, value = (_row(drawn, step.it, by) for by in (None, made.mu))
             segment = segment_name(step.it.letter)
             if segment not in known:
                 known.add(segment)
                 yield Column(CENTRES, segment, step.it.name, "m", np.abs(mm), np.abs(value))
     for mark in made.figures:
-        row = _row(made, drawn, mark, None)
+        row = _row(drawn, mark, None)
         yield Column(CENTRES, segment_name(mark.letter), mark.name, mark.unit, empty(count), row)
 
 
-def _row(made: Centres, drawn: Drawn, mark: Mark, by: Mark | None) -> Reals:
+def _row(drawn: Drawn, mark: Mark, by: Mark | None) -> Reals:
     """Return figures at the positions asked for, NaN at the others."""
-    value, places = drawn.reading.figure(mark, by), list(made.places)
+    value, places = drawn.reading.figure(mark, by), list(drawn.row(CENTRES))
     whole = np.broadcast_to(value, (len(value), len(drawn.names)))
     return row_of(whole[:, places], places, len(drawn.names))
 
