@@ -14,12 +14,13 @@ import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import join, parallel, square
-from graphic_tmm.board.record import Figure, Mark, Step
+from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.centres.ink import BEYOND, RADIUS
 from graphic_tmm.chapters.centres.network import Centre
 from graphic_tmm.chapters.centres.plan import Centres
 from graphic_tmm.chapters.centres.task import CENTRES
+from graphic_tmm.chapters.kinematics.figures import rigid
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.task import POSITIONS
@@ -58,6 +59,34 @@ class Window(NamedTuple):
         return larger(abs(off.real) - self.wide, abs(off.imag) - self.high)
 
 
+class CentreLine(NamedTuple):
+    """A line of the scheme, the points on it; the centre at infinity to which it was drawn, if any."""
+
+    it: Mark
+    points: tuple[Mark, ...]
+    far: Centre | None
+
+
+class Ends(NamedTuple):
+    """How a line is drawn: its ends; where it begins, its direction, where it enters and leaves the window."""
+
+    drawn: tuple[complex, complex]
+    at: complex
+    way: complex
+    low: float
+    high: float
+    along: Mapping[Mark, float]
+
+
+class Lead(NamedTuple):
+    """The head of an arrow: its tip and direction, the mark that it is of, what it leads to."""
+
+    tip: complex
+    way: complex
+    mark: Mark
+    text: str
+
+
 class TurningScheme:
     """The scheme of centres at any angle; ``mu_l``: the scale of the plan of positions."""
 
@@ -81,16 +110,34 @@ class TurningScheme:
 
     def at(self, k: int) -> Drawing:
         """Return the scheme at an angle (index), its letters still wanted."""
-        strokes, wanted = list(self._lines(k)), list(self._letters(k))
-        for mark in self._own:
-            if self._inside(mark, k):
-                strokes.append(_circle(self.seen.point(mark, k), mark))
-        for tip, way, of, text in self._leads(k):
-            slots = tuple(mark.slot for mark in of)
-            strokes += (one._replace(of=slots) for one in arrowhead(tip, way, pen="thin"))
-            if text:
-                wanted.append(Wanted(text, tip, self.on.heights.number, 1.0, 0j, slots))
-        return Drawing(CENTRES, "", (*strokes, *self._mechanism(k)), wanted=tuple(wanted))
+        links = list(self._mechanism(k))  # before anything is compared
+        spots = {mark: self.seen.point(mark, k) for mark in self.marks}
+        inside = {
+            mark: finite(spots[mark]) and self.window.beyond(spots[mark]) < 0.0
+            for mark in self._own
+        }
+        strokes, wanted = list[Ink](), self._letters(k, inside)
+        for mark in (mark for mark, holds in inside.items() if holds):
+            strokes.append(circle("joint", spots[mark], RADIUS)._replace(of=(mark.slot,)))
+        lettered_ = set[Mark]()
+        for one in self.lines:
+            if (ends := self._ends(one, spots, k)) is None:
+                continue
+            strokes.append(line("thin", *ends.drawn)._replace(of=(one.it.slot,)))
+            for lead in self._leads(one, ends, inside):
+                of = lead.mark.slot, one.it.slot
+                head = arrowhead(lead.tip, lead.way, pen="thin")
+                strokes += (stroke._replace(of=of) for stroke in head)
+                if lead.mark not in lettered_:
+                    size = self.on.heights.number
+                    wanted.append(Wanted(lead.text, lead.tip, size, 1.0, -lead.way, of[:1]))
+                lettered_.add(lead.mark)
+        return Drawing(CENTRES, "", (*strokes, *links), wanted=tuple(wanted))
+
+    @cached_property
+    def marks(self) -> tuple[Mark, ...]:
+        """The points of the mechanism, and all centres that are none."""
+        return tuple(dict.fromkeys((*self.made.points.values(), *self.names)))
 
     @cached_property
     def _own(self) -> list[Mark]:
@@ -113,55 +160,42 @@ class TurningScheme:
         return Window(x + 1j * y, wide + more, high + more)
 
     @cached_property
-    def lines(self) -> list[tuple[Step, list[Mark], list[Centre]]]:
-        """The lines, what lies on each: points, and centres at infinity."""
+    def lines(self) -> list[CentreLine]:
+        """The lines, and what lies on each."""
         found = []
         for step in self.seen.steps:
             if step.op in (join, parallel, square) and step.uses[0].view == CENTRES:
                 own = [one for one in self.made.centres if step.it in (*one.lines, one.mark)]
                 own += [one for one in self.made.centres if one.mark in step.uses]
-                points = [mark for mark in step.uses if mark.kind is Point and mark.view == CENTRES]
+                points = [mark for mark in step.uses if mark in self.marks]
                 points += [one.mark for one in own if not one.far]
-                far = [one for one in own if one.far]
-                found.append((step, [*dict.fromkeys(points)], [*dict.fromkeys(far)]))
+                far = next((one for one in own if one.far and one.mark == step.it), None)
+                found.append(CentreLine(step.it, tuple(dict.fromkeys(points)), far))
         return found
 
-    def _lines(self, k: int) -> Iterator[Ink]:
-        """Yield the lines through centres, as far as these are, inside the window."""
-        for step, points, far in self.lines:
-            at, way = self.seen.line(step.it, k)
-            low, high = self.window.part(at, way)
-            along = [((self.seen.point(one, k) - at) / way).real for one in points]
-            low = larger(low, smaller(*along) - BEYOND)
-            if all(one.mark != step.it for one in far):
-                high = smaller(high, larger(*along) + BEYOND)
-            if finite(at, way, *along) and low < high:
-                yield line("thin", at + low * way, at + high * way)._replace(of=(step.it.slot,))
+    def _ends(self, one: CentreLine, spots: Mapping[Mark, complex], k: int) -> Ends | None:
+        """Return how far a line is drawn: as far as its centres are, inside the window."""
+        at, way = self.seen.line(one.it, k)
+        along = {mark: ((spots[mark] - at) / way).real for mark in one.points}
+        if not finite(at, way, *along.values()):
+            return None
+        low, high = self.window.part(at, way)
+        first = larger(low, smaller(*along.values()) - BEYOND)
+        last = high if one.far else smaller(high, larger(*along.values()) + BEYOND)
+        if not first < last:
+            return None
+        return Ends((at + first * way, at + last * way), at, way, low, high, along)
 
-    def _inside(self, mark: Mark, k: int) -> bool:
-        spot = self.seen.point(mark, k)
-        return finite(spot) and self.window.beyond(spot) < 0.0
-
-    def _leads(self, k: int) -> Iterator[tuple[complex, complex, tuple[Mark, ...], str]]:
-        """Yield the heads of arrows to centres outside: tip, direction, marks; once each a letter."""
-        said = set[Mark]()
-        for step, points, far in self.lines:
-            at, way = self.seen.line(step.it, k)
-            if not finite(at, way):
-                continue
-            low, high = self.window.part(at, way)
-            for mark in (one for one in points if one in self._own):
-                spot = self.seen.point(mark, k)
-                if not finite(spot) or self.window.beyond(spot) < 0.0 or not low < high:
-                    continue
-                behind = below(((spot - at) / way).real, 0.5 * (low + high))
-                tip, on = by_case(behind, low, high), by_case(behind, -1.0, 1.0)
-                text = "" if mark in said else f"→ {self.names[mark]}"
-                said.add(mark)
-                yield at + tip * way, on * way, (step.it, mark), text
-            for one in far:
-                if one.mark == step.it and low < high:
-                    yield at + high * way, way, (step.it,), f"→ {one.name}∞"
+    def _leads(self, one: CentreLine, ends: Ends, inside: Mapping[Mark, bool]) -> Iterator[Lead]:
+        """Yield the heads of arrows to centres on a line that are outside the window."""
+        for mark in (mark for mark in one.points if not inside.get(mark, True)):
+            behind = below(ends.along[mark], 0.5 * (ends.low + ends.high))
+            tip = by_case(behind, ends.low, ends.high)
+            way = by_case(behind, -1.0, 1.0) * ends.way
+            yield Lead(ends.at + tip * ends.way, way, mark, f"→ {self.names[mark]}")
+        if one.far:
+            text = f"→ {one.far.name}∞"
+            yield Lead(ends.at + ends.high * ends.way, ends.way, one.points[0], text)
 
     @cached_property
     def names(self) -> dict[Mark, str]:
@@ -171,24 +205,23 @@ class TurningScheme:
             found[one.mark] = f"{found[one.mark]}, {one.name}" if one.mark in found else one.name
         return found
 
-    @cached_property
-    def _labels(self) -> list[tuple[tuple[Mark, ...], str]]:
-        """The letters, each with the points that it stands at."""
-        found = list[tuple[tuple[Mark, ...], str]]()
+    def _letters(self, k: int, inside: Mapping[Mark, bool]) -> list[Wanted]:
+        """The letters of points and of centres inside the window, the numbers of links."""
         told = {mark: markup(of.name) for of, mark in self.made.points.items()}
-        for mark in dict.fromkeys((*told, *self.names)):
-            texts = [one[mark] for one in (told, self.names) if mark in one]
-            found.append(((mark,), ", ".join(texts)))
-        return found
-
-    def _letters(self, k: int) -> list[Wanted]:
-        """The letters of points and of the centres that are inside."""
         named = list[Named]()
-        for marks, text in self._labels:
-            if marks[0] not in self._own or self._inside(marks[0], k):
-                spot = self.seen.point(marks[0], k)
-                named.append(Named(spot, text, tuple(one.slot for one in marks), k))
-        return lettered(named, self.on.heights.point, PAIR)
+        for mark in self.marks:
+            if inside.get(mark, True):
+                text = ", ".join(one[mark] for one in (told, self.names) if mark in one)
+                named.append(Named(self.seen.point(mark, k), text, (mark.slot,), k))
+        return [*lettered(named, self.on.heights.number, PAIR), *self._numbers(k)]
+
+    def _numbers(self, k: int) -> Iterator[Wanted]:
+        """Yield the numbers of the moving links, each at a line of its link."""
+        for name in self.links.names:
+            marks = rigid(self.links.figures, name)[:2]
+            spot = sum(self.links.at(mark, k) for mark in marks) / len(marks)
+            slots = tuple(self.points[mark.slot] for mark in marks)
+            yield Wanted(name, spot, self.on.heights.number, PAIR, 0j, slots, k)
 
     def _mechanism(self, k: int) -> Iterator[Ink]:
         """The links, which stand on the points of the scheme."""
@@ -202,7 +235,3 @@ def _extremes(row: Any) -> tuple[float, float]:
     """Return the least and the greatest real part of a row, (trial, position), wherever it is."""
     there = np.flatnonzero(np.isfinite(alone_of(row)[0]))
     return extremes(row, [int(k) for k in there]) if there.size else (np.nan, np.nan)
-
-
-def _circle(at: complex, mark: Mark) -> Ink:
-    return circle("joint", at, RADIUS)._replace(of=(mark.slot,))
