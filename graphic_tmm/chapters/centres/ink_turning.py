@@ -1,4 +1,4 @@
-"""The scheme of centres as it moves with the crank: in one window, so that what flies off leaves arrows there.
+"""The scheme of centres as it moves with the crank, in a window about the mechanism: arrows lead out of it.
 
 Its lines end by the least and the greatest of distances, not by cases: what a page ties to marks it tries in
 every case, and each line has many centres.
@@ -9,8 +9,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import Any, NamedTuple
-
-import numpy as np
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.operations.instruments import join, parallel, square
@@ -24,16 +22,17 @@ from graphic_tmm.chapters.kinematics.figures import rigid
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.task import POSITIONS
-from graphic_tmm.paper.arithmetic import below, by_case, extremes, larger, signed, smaller
+from graphic_tmm.paper.arithmetic import below, by_case, larger, signed, smaller
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, circle, line
 from graphic_tmm.paper.labels import Named, lettered
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Subject, finite
 from graphic_tmm.paper.symbols.kinematic import arrowhead
-from graphic_tmm.paper.traced import alone_of
 
 AROUND = 0.3
-"""The window goes beyond the mechanism, over its turn, by this share of its size."""
+"""The window goes beyond the mechanism by this share of its size."""
+ONE_LINE, CROSSED = 1e-6, 2
+"""The sine of two lines that are one; so many lead to a centre."""
 UPRIGHT = 1e-9
 """A line leaves the window where its direction is off an axis by no less."""
 
@@ -60,9 +59,10 @@ class Window(NamedTuple):
 
 
 class CentreLine(NamedTuple):
-    """A line of the scheme, the points on it; the centre at infinity to which it was drawn, if any."""
+    """A line of the scheme, the points that it is drawn by, all that lie on it; the centre at infinity it is."""
 
     it: Mark
+    by: tuple[Mark, ...]
     points: tuple[Mark, ...]
     far: Centre | None
 
@@ -94,7 +94,7 @@ class TurningScheme:
         self, on: Subject, made: Centres, reaches: Mapping[Figure, Reach], mu_l: Mark
     ) -> None:
         self.made, self.on, self.seen = made, on, on.seen((CENTRES,), [0])
-        times = self.times = self.seen.fixed_number(mu_l) / self.seen.fixed_number(made.mu)
+        times = self.seen.fixed_number(mu_l) / self.seen.fixed_number(made.mu)
         figures = [one for one in on.construction.figures if one.view == POSITIONS]
         values: dict[int, Any] = {}
         for mark in dict.fromkeys(mark for one in figures for mark in one.marks):
@@ -112,16 +112,16 @@ class TurningScheme:
         """Return the scheme at an angle (index), its letters still wanted."""
         links = list(self._mechanism(k))  # before anything is compared
         spots = {mark: self.seen.point(mark, k) for mark in self.marks}
-        inside = {
-            mark: finite(spots[mark]) and self.window.beyond(spots[mark]) < 0.0
-            for mark in self._own
-        }
+        window = self.window(spots)
+        sure = self._sure(spots, window, k)
+        inside = {mark: window.beyond(spots[mark]) < 0.0 for mark in self._own if mark in sure}
         strokes, wanted = list[Ink](), self._letters(k, inside)
         for mark in (mark for mark, holds in inside.items() if holds):
             strokes.append(circle("joint", spots[mark], RADIUS)._replace(of=(mark.slot,)))
         lettered_ = set[Mark]()
         for one in self.lines:
-            if (ends := self._ends(one, spots, k)) is None:
+            points = {mark: spots[mark] for mark in one.points if mark in sure}
+            if not sure.issuperset(one.by) or not (ends := self._ends(one, points, window, k)):
                 continue
             strokes.append(line("thin", *ends.drawn)._replace(of=(one.it.slot,)))
             for lead in self._leads(one, ends, inside):
@@ -146,14 +146,12 @@ class TurningScheme:
         marks = dict.fromkeys(one.mark for one in self.made.centres if not one.far)
         return [mark for mark in marks if mark not in there]
 
-    @cached_property
-    def window(self) -> Window:
-        """What is seen: it hangs on the plan of positions, which a page has at all angles at once."""
-        rows = [self.on.reading[of] * self.times for of in self.made.points]
+    def window(self, spots: Mapping[Mark, complex]) -> Window:
+        """Return what is seen at an angle: the mechanism, and what is near to it."""
+        links = [spots[mark] for mark in self.made.points.values()]
         sides = list[tuple[float, float]]()
-        for turned in (1.0, -1j):
-            ends = [_extremes(row * turned) for row in rows]
-            low, high = smaller(*(one for one, _ in ends)), larger(*(one for _, one in ends))
+        for own in ([spot.real for spot in links], [spot.imag for spot in links]):
+            low, high = smaller(*own), larger(*own)
             sides.append(((low + high) / 2.0, (high - low) / 2.0))
         (x, wide), (y, high) = sides
         more = 2.0 * AROUND * larger(wide, high)
@@ -167,19 +165,42 @@ class TurningScheme:
             if step.op in (join, parallel, square) and step.uses[0].view == CENTRES:
                 own = [one for one in self.made.centres if step.it in (*one.lines, one.mark)]
                 own += [one for one in self.made.centres if one.mark in step.uses]
-                points = [mark for mark in step.uses if mark in self.marks]
-                points += [one.mark for one in own if not one.far]
+                by = tuple(mark for mark in step.uses if mark in self.marks)
+                points = [*by, *(one.mark for one in own if not one.far)]
                 far = next((one for one in own if one.far and one.mark == step.it), None)
-                found.append(CentreLine(step.it, tuple(dict.fromkeys(points)), far))
+                found.append(CentreLine(step.it, by, tuple(dict.fromkeys(points)), far))
         return found
 
-    def _ends(self, one: CentreLine, spots: Mapping[Mark, complex], k: int) -> Ends | None:
+    def _sure(self, spots: Mapping[Mark, complex], window: Window, k: int) -> set[Mark]:
+        """Return the points that are there; none where two lines are one, nor what hangs on it.
+
+        ``good``: the least sine of two lines that lead to a centre, or to one that it hangs on; outside the
+        window lines may be parallel.
+        """
+        good = dict.fromkeys(self.made.points.values(), 1.0)
+        by = {one.it: one.by for one in self.lines}
+        for one in self.made.centres:
+            if one.mark not in self.names or one.mark in good:
+                continue
+            own = [good[mark] for line_ in one.lines for mark in by.get(line_, ()) if mark in good]
+            if len(one.lines) == CROSSED and finite(spots[one.mark]):
+                first, second = (self.seen.line(line_, k)[1] for line_ in one.lines)
+                beyond = below(0.0, window.beyond(spots[one.mark]))
+                own.append(larger(abs((second / first).imag), beyond))
+            good[one.mark] = smaller(1.0, *own)
+        return {
+            mark for mark, sine in good.items() if finite(spots[mark], sine) and sine > ONE_LINE
+        }
+
+    def _ends(
+        self, one: CentreLine, points: Mapping[Mark, complex], window: Window, k: int
+    ) -> Ends | None:
         """Return how far a line is drawn: as far as its centres are, inside the window."""
         at, way = self.seen.line(one.it, k)
-        along = {mark: ((spots[mark] - at) / way).real for mark in one.points}
+        along = {mark: ((spot - at) / way).real for mark, spot in points.items()}
         if not finite(at, way, *along.values()):
             return None
-        low, high = self.window.part(at, way)
+        low, high = window.part(at, way)
         first = larger(low, smaller(*along.values()) - BEYOND)
         last = high if one.far else smaller(high, larger(*along.values()) + BEYOND)
         if not first < last:
@@ -188,7 +209,7 @@ class TurningScheme:
 
     def _leads(self, one: CentreLine, ends: Ends, inside: Mapping[Mark, bool]) -> Iterator[Lead]:
         """Yield the heads of arrows to centres on a line that are outside the window."""
-        for mark in (mark for mark in one.points if not inside.get(mark, True)):
+        for mark in (mark for mark in one.points if inside.get(mark) is False):
             behind = below(ends.along[mark], 0.5 * (ends.low + ends.high))
             tip = by_case(behind, ends.low, ends.high)
             way = by_case(behind, -1.0, 1.0) * ends.way
@@ -210,7 +231,7 @@ class TurningScheme:
         told = {mark: markup(of.name) for of, mark in self.made.points.items()}
         named = list[Named]()
         for mark in self.marks:
-            if inside.get(mark, True):
+            if mark not in self._own or inside.get(mark):
                 text = ", ".join(one[mark] for one in (told, self.names) if mark in one)
                 named.append(Named(self.seen.point(mark, k), text, (mark.slot,), k))
         return [*lettered(named, self.on.heights.number, PAIR), *self._numbers(k)]
@@ -229,9 +250,3 @@ class TurningScheme:
         for stroke in (*self.links.guides(), *self.links.heavy(k)):
             own = tuple(self.points[slot] for slot in stroke.of if slot in self.points)
             yield stroke._replace(of=own or every, position=k)
-
-
-def _extremes(row: Any) -> tuple[float, float]:
-    """Return the least and the greatest real part of a row, (trial, position), wherever it is."""
-    there = np.flatnonzero(np.isfinite(alone_of(row)[0]))
-    return extremes(row, [int(k) for k in there]) if there.size else (np.nan, np.nan)
