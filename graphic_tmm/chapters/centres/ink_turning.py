@@ -59,7 +59,7 @@ class Window(NamedTuple):
 
 
 class CentreLine(NamedTuple):
-    """A line of the scheme, the points that it is drawn by, all that lie on it; the centre at infinity it is."""
+    """A line of the scheme, the points that it is drawn by, all that lie on it; its centre at infinity."""
 
     it: Mark
     by: tuple[Mark, ...]
