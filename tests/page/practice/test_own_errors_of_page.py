@@ -225,7 +225,7 @@ BY_OTHER_LINES: dict[str, Way] = {
 
 @pytest.mark.parametrize("manner", MANNERS)
 def test_centres_by_other_lines_are_judged_as_a_check_does(tmp_path: Path, manner: str) -> None:
-    """Of eight drawings, one centre in two of them off by 2, 3 mm: both take Kennedy's other lines for right."""
+    """Of eight drawings every second has a centre that is off by some mm."""
     scene = packed("centres-of-six-bar")
     assert scene is not None
     task = next(
