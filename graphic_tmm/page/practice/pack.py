@@ -203,7 +203,8 @@ class Packing:
         steps = [step for step in self.steps if step.it.view == plan]
         pole = self.row.log.view(plan)
         for at in self.row.places[plan]:
-            here = [step for step in steps if self.row.there(step.it, at)]
+            there = [step for step in steps if self.row.there(step.it, at)]
+            here = [step for step in there if step not in self.row.free]
             if not any(step.it in self.named for step in here):
                 continue
             made = {step.it for step in here}
@@ -217,6 +218,7 @@ class Packing:
                 "origin": origin,
                 "goal": self.goal(plan, at, here),
                 "steps": [step.it.slot for step in here],
+                "free": [step.it.slot for step in there if step in self.row.free],
                 "shown": [mark.slot for mark in used],
                 "pole": pole.pole.slot if pole is not None and pole.pole is not None else -1,
                 "whole": sizes_for_page(

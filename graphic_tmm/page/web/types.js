@@ -112,10 +112,10 @@
  *   `sides`: what +1 and −1 of its side, or of its choice, are called. Only steps of practice have these
  * @typedef {{as: "point" | "length" | "rate", name: string, key: string, unit: string}} Reading a row of a check: what
  *   it gives, plan, segment, the unit of a rate
- * @typedef {{plan: number, at: number, view: number, sheet: number, origin: [number, number], steps: number[],
+ * @typedef {{plan: number, at: number, view: number, sheet: number, origin: [number, number], steps: number[], free?: number[],
  *   shown: number[], pole: number, whole: number, goal: string, pose?: boolean}} Task a plan in a position: `goal` in words, `view` of the page that
  *   shows it (-1: none), its sheet, where its origin lies on that (mm, y downward), the marks that are to be made, in the order of
- *   the log, those of other plans that they need, its pole (-1: none), its longest vector in mm; a `pose` is at an angle
+ *   the log, `free`: lines that may be drawn besides, those of other plans that they need, its pole (-1: none), its longest vector in mm; a `pose` is at an angle
  *   of the crank that no sheet has
  * @typedef {{b: number[][], d: number[], w: number[], s?: number[][], m?: number[]}} OwnLimit by position (its index
  *   in `at`): the sizes of the errors that a hand makes, part by part; from where on in these an error is doubtful,

@@ -23,7 +23,7 @@ const UNTOLD = ["number", "side", "angle"];
  * @returns {Match}
  */
 export function matched(bench, op, uses, choice) {
-  const steps = bench.task.steps.flatMap((slot) => bench.log.steps.get(slot) ?? []);
+  const steps = [...bench.own].flatMap((slot) => bench.log.steps.get(slot) ?? []);
   const own = steps.filter((step) => step.op === op && sameMarks(bench, step.uses, uses) && sameChoice(step, choice));
   const open = own.find((step) => !bench.made.has(step.it) && bench.ready(step.it));
   if (open !== undefined) return { slot: open.it };

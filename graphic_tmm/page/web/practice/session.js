@@ -71,7 +71,7 @@ export class Session {
       kindOf: (slot) => easel.kindOf(slot),
       isScale: (slot) => easel.isScale(slot),
       isHere: (slot) => easel.isHere(slot),
-    });
+    }, (this.told.free ?? []).flatMap((slot) => this.easel.steps.get(slot) ?? []));
   }
 
   /** Begin anew. */
@@ -132,7 +132,8 @@ export class Session {
   /** Return all that was done, as data. */
   record() {
     const { easel, task, practice } = this;
-    const steps = task.moves.map((move) => ({
+    const drawn = task.free.filter((move) => task.isDone(move.it));
+    const steps = [...task.moves, ...drawn].map((move) => ({
       step: easel.markOf(move.it).n,
       by: move.op,
       worth: task.score.marks.get(move.it) ?? null,
