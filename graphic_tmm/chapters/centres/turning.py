@@ -8,7 +8,7 @@ from graphic_tmm.board.record import segment_name
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.centres.ink_turning import TurningScheme
 from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
-from graphic_tmm.chapters.centres.table import columns
+from graphic_tmm.chapters.centres.table import columns_at
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
@@ -44,7 +44,7 @@ def moving(drawn: Drawn) -> Iterator[Moving]:
         mu_text(scale, language),
         TurningScheme(on, made, reaches(drawn), mu_l).at,
         lambda name: f"{CENTRES}-{name}",
-        columns=lambda: columns(drawn),
+        columns=lambda: columns_at(drawn, drawn.all),
     )
 
 

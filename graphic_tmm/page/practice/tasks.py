@@ -75,7 +75,12 @@ def sheet_row(made: DrawnScene) -> PoseRow | None:
     if work is None:
         return None
     plans = {step.it.view for step in work.construction.steps} & set(pointed())
-    places = {plan: work.row(plan) for plan in pointed() if plan in plans and work.row(plan)}
+    shown = {plan: work.project.told.get(plan, frozenset(work.row(plan))) for plan in plans}
+    places = {
+        plan: at
+        for plan in pointed()
+        if plan in plans and (at := [k for k in work.row(plan) if k in shown[plan]])
+    }
     if not places:
         return None
     free = tuple(_other_lines(work))
