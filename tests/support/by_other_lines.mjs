@@ -9,7 +9,11 @@ for (const { written, data, words, n, steps } of JSON.parse(readFileSync(asked, 
   const session = new Session({ title: written, practice: data, words, views: [] }, n);
   session.clear();
   const { task, bench } = session;
-  const named = (letter) => [...task.own.keys(), ...session.told.shown].find((slot) => data.marks[slot].n === letter);
+  // a letter behind "*" is that of another plan
+  const named = (letter) => {
+    const slots = letter.startsWith("*") ? session.told.shown : [...task.own.keys(), ...session.told.shown];
+    return slots.find((slot) => data.marks[slot].n === letter.replace("*", ""));
+  };
   const taken = steps.map(([instrument, ...letters]) => {
     task.choose(instrument);
     let outcome = { kind: "more" };

@@ -3,6 +3,7 @@ import { LENGTHS } from "../lengths.js";
 import { Bench } from "./bench.js";
 import { Easel } from "./easel.js";
 import { keep, kept } from "./kept.js";
+import { isCrossed } from "./matching.js";
 import { csvOf, save } from "./record.js";
 import { Task } from "./task.js";
 
@@ -96,7 +97,8 @@ export class Session {
   restore(left) {
     try {
       for (const [slot, tried, mark, help] of /** @type {Kept[]} */ (left?.done ?? [])) {
-        if (!this.task.own.has(slot) || !this.bench.ready(slot)) break;
+        const there = this.bench.ready(slot) || isCrossed(this.easel.steps.get(slot));
+        if (!this.task.own.has(slot) || !there) break;
         this.task.take(slot, tried);
         this.task.score.marks.set(slot, mark);
         this.task.helped.set(slot, help);
