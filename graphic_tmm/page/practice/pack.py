@@ -218,13 +218,17 @@ class Packing:
                 "origin": origin,
                 "goal": self.goal(plan, at, here),
                 "steps": [step.it.slot for step in here],
-                "free": [step.it.slot for step in there if step in self.row.free],
                 "shown": [mark.slot for mark in used],
                 "pole": pole.pole.slot if pole is not None and pole.pole is not None else -1,
                 "whole": sizes_for_page(
                     [due.get((plan, self.row.names[at]), self.reach(here, at))]
                 )[0],
-            } | ({"pose": True} if at >= self.count else {})
+            } | self._more(there, at)
+
+    def _more(self, there: Sequence[Step], at: int) -> dict[str, Any]:
+        """Return what only some tasks have: lines that may be drawn besides, that it is a pose."""
+        free = [step.it.slot for step in there if step in self.row.free]
+        return ({"free": free} if free else {}) | ({"pose": True} if at >= self.count else {})
 
     def goal(self, plan: str, at: int, steps: Sequence[Step]) -> str:
         """Return what the task is, as mark-up: the plan, its position, what of it a check reads."""
