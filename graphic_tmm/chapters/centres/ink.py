@@ -13,8 +13,8 @@ from graphic_tmm.board.operations.instruments import join, parallel, square
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.centres.network import Centre
-from graphic_tmm.chapters.centres.plan import Centres
-from graphic_tmm.chapters.centres.scales import Room, room, spots
+from graphic_tmm.chapters.centres.record import Centres
+from graphic_tmm.chapters.centres.scales import room, spots
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
@@ -27,6 +27,7 @@ from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.mark_rules import leaving
 from graphic_tmm.paper.seen import Rule, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import arrow
+from graphic_tmm.paper.window import Window
 
 RADIUS = 1.3
 """Of the small circle about a centre, mm."""
@@ -61,7 +62,7 @@ class _Scheme:
         self.links = PositionsInk(
             on.construction, Reading(values, on.reading.positions), whole, [place]
         )
-        self.room = (room(*spots(made, on.reading, place)) or Room(0j, 0j)).grown(EDGE)
+        self.room = (room(*spots(made, on.reading, place)) or Window(0j, 0j)).grown(EDGE)
 
     def mechanism(self) -> list[Ink]:
         """The links, which stand on the points of the scheme."""
@@ -88,7 +89,7 @@ class _Scheme:
         at, way = self.seen.line(of, self.place)
         if not finite(at, way):
             return None
-        inside = self.room.part(at, way)
+        inside = self.room.span(at, way)
         own = [one for one in self.made.centres if of in (*one.lines, one.mark) or one.mark in uses]
         there = {mark for mark in uses if mark.kind is Point and mark.view == CENTRES}
         there |= {one.mark for one in own if not one.far}

@@ -16,7 +16,7 @@ from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.centres.ink import BEYOND, RADIUS
 from graphic_tmm.chapters.centres.network import Centre
-from graphic_tmm.chapters.centres.plan import Centres
+from graphic_tmm.chapters.centres.record import Centres
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.kinematics.figures import rigid
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk

@@ -8,7 +8,7 @@ import numpy as np
 
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length, Reals
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Column, Tabled, empty, row_of

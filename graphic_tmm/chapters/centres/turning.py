@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from graphic_tmm.board.record import segment_name
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.centres.ink_turning import TurningScheme
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN
 from graphic_tmm.chapters.centres.table import columns_at
 from graphic_tmm.chapters.centres.task import ASKED, CENTRES, CentresTask
 from graphic_tmm.chapters.kinematics.plan import ALL, KINEMATICS_PLAN

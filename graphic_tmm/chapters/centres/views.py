@@ -10,7 +10,7 @@ from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.centres.ink import draw_scheme
 from graphic_tmm.chapters.centres.ink_polygon import draw_polygon
 from graphic_tmm.chapters.centres.network import LINES, PARALLEL, Centre
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres, PointSpeed, Rotation
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN, Centres, PointSpeed, Rotation
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.centres.words import WAYS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN

@@ -13,7 +13,7 @@ import pytest
 
 import graphic_tmm as tmm
 from graphic_tmm.chapters.centres.network import GUIDE, IMAGE, LINES, NORMALS, PARALLEL, PIN, RATES
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN, Centres
 from graphic_tmm.chapters.centres.views import centre_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError
@@ -98,7 +98,10 @@ def test_the_four_bar_of_the_survey() -> None:
 
 
 def test_a_published_four_bar() -> None:
-    """Khurmi and Gupta, Theory of Machines, example 6.1: P_20 B is measured as 500 mm, ω_2 = 6.282 rad/s."""
+    """Khurmi and Gupta, Theory of Machines, example 6.1: P_20 B is measured as 500 mm, ω_2 = 6.282 rad/s.
+
+    The task stands so at askfilo.com and github.com/carnot/logj/wiki/Chapter-6; the readings are from memory.
+    """
     scene = four_bar(0.3, 0.36, 0.36, 0.6, drive=drive("100 rpm", turns="clockwise"))
     found, _ = drawn_of(scene)
     away = abs(place_of(found, "P_{20}") - cmath.rect(0.3, math.radians(60)))

@@ -14,7 +14,7 @@ from support.random_mechanisms import drawn
 
 import graphic_tmm as tmm
 from graphic_tmm.board.execute import execute
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import ASKED, CentresTask
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.mechanism.records import Row

@@ -10,7 +10,7 @@ import pytest
 from support import gallery
 from support.centres_by_hand import SIX_BAR, Student, meeting, six_bar
 
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.centres.turning import moving
 from graphic_tmm.drawn import Drawn

@@ -12,7 +12,7 @@ from support import pages
 from support.browser import FRAMES, Opened
 
 from graphic_tmm.board.hand import EXACT
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN
 from graphic_tmm.page.dense import dense
 from graphic_tmm.page.page import page as written
 
