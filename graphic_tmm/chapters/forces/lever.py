@@ -70,7 +70,8 @@ class Lever(NamedTuple):
     """The lever of a drive: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
 
     ``balance``: N at the crank pin, or N·m; ``moments``: of all loads, ``total``: their sum (N·mm), ``force``:
-    what at the crank pin balances it (N); ``segment``: of the crank pin, as read (Length).
+    what at the crank pin balances it (N); ``segment``: of the crank pin, as read (Length). ``loads``: what is
+    carried onto it, as it acts on the links.
     """
 
     pole: Mark
@@ -85,6 +86,7 @@ class Lever(NamedTuple):
     couples: tuple[Converted, ...]
     total: Mark
     force: Mark
+    loads: tuple[list[Force], list[Couple]]
 
 
 class _Plan:
@@ -219,7 +221,9 @@ def draw_lever(
     }
     found = (images, tuple(plan.forces), tuple(plan.moments))
     told = (tuple(plan.couples), balance.total, balance.force)
-    return Lever(plan.pole, plan.times, mu, *found, balance.asked, end, segment, *told)
+    return Lever(
+        plan.pole, plan.times, mu, *found, balance.asked, end, segment, *told, loads=loads
+    )  # fmt: skip
 
 
 class _Balance(NamedTuple):

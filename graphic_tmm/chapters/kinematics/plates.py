@@ -11,7 +11,12 @@ from graphic_tmm.board.operations.tracing import prick, trace, trace_on_guide, t
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Arc
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import Body, draw_points, off_axis, stand
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    draw_points,
+    off_axis,
+    stand,
+)
 from graphic_tmm.chapters.kinematics.closings import (
     Branch,
     ClosingLeg,

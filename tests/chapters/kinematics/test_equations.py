@@ -95,7 +95,12 @@ def kind_of(one: AssurGroup | Rolling) -> str:
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
-    called = {"group": "II({})", "plate": "III({})", "wheel": "p4({})", "belted": "p4({}) by a flexible link"}
+    called = {
+        "group": "II({})",
+        "plate": "III({})",
+        "wheel": "p4({})",
+        "belted": "p4({}) by a flexible link",
+    }
     groups = [called[kind_of(one)].format(one.name) for one in equated(name, plan)]
     assert [e.group for e in found(name, plan)] == groups
     for equation in found(name, plan):
