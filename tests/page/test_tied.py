@@ -108,9 +108,10 @@ AWAY = 2000.0
 """What reaches so far, mm, has flown away beside a place where the mechanism can hardly be drawn."""
 
 
-def _letters(log: Construction, view: str) -> list[str]:
-    """What a plan finds in its order: of other lengths another pair of lines may cross best at a centre."""
-    return [step.it.letter for step in log.steps if step.it.view == view]
+def _letters(log: Construction, view: str) -> list[tuple[str, ...]]:
+    """What a plan finds in its order, by what: of other lengths another pair of lines may cross best."""
+    steps = (step for step in log.steps if step.it.view == view)
+    return [(step.it.letter, *(mark.letter for mark in step.uses)) for step in steps]
 
 
 def _outcomes(scene: Scene, own: Drawn) -> Counter[str]:

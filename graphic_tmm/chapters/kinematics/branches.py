@@ -48,6 +48,8 @@ TURNED = 0.05
 """A step by which the plate or its first leg turns by more than this, rad, is halved."""
 LEAST = 1e-11
 """A step that is less than this share of the drive's way ends a branch: two places meet there."""
+MEANT = 30.0
+"""So far from what a scene says, in degrees, a place may be that it means, if others are twice as far."""
 ALIKE = 1e-6
 """Two places that differ by less, rad, are one."""
 
@@ -262,7 +264,7 @@ def branch_of(search: Search, angle: float, near: Near | None, link: int) -> Bra
     order = sorted(range(len(own)), key=apart.__getitem__)
     if (
         near is None
-        or apart[order[0]] > 10.0
+        or apart[order[0]] > MEANT
         or (len(own) > 1 and apart[order[1]] < 2 * apart[order[0]])
     ):
         raise StructureError(
