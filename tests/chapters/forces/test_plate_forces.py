@@ -137,6 +137,34 @@ GUIDED = TURNS.replace(
     'points = { F = [0, 0], S5 = [0.02, 0.03] }\nslides = { on = "frame", along = "u" }',
 ).replace("E = [0.42, 0.12]", 'u = { through = [0.2375, 0.038], angle = "114 deg" }', 1)
 """Its third leg is a slider whose weight, off its pin, its guide holds by a couple."""
+ROUGH = """
+[friction]
+f = 0.1
+radius = "10 mm"
+passes = 3
+"""
+
+
+def rough(text: str) -> str:
+    return text.replace("inertia = true", "inertia = true\nfriction = true") + ROUGH
+
+
+TWO_GUIDES = (
+    GUIDED.replace(
+        "points = { C = [0, 0], D = [0.18, 0], S4 = [0.09, 0] }",
+        'points = { C = [0, 0], S4 = [0.03, -0.02] }\nslides = { on = "frame", along = "w" }',
+    )
+    .replace("D = [0.3, -0.05]", 'w = { through = [0.143, 0.038], angle = "240.7 deg" }', 1)
+    .replace('to = "100 deg"', 'to = "60 deg"')
+)
+"""Two of its legs are sliders."""
+SHEETS = {
+    "turns": TURNS,
+    "pushed": PUSHED,
+    "guided": GUIDED,
+    "rough": rough(GUIDED),
+    "two rough guides": rough(TWO_GUIDES),
+}
 
 
 def check(seed: int, guides: int, behind: int) -> None:
@@ -232,6 +260,7 @@ def test_a_cylinder_under_a_plate_pushes_as_newton_and_euler_say() -> None:
 
 def test_a_slider_under_a_plate_bears_as_newton_and_euler_say() -> None:
     judged(GUIDED, [0.0, 40.0, 80.0])
+    judged(TWO_GUIDES, [10.0, 40.0, 55.0])
 
 
 def test_where_the_legs_meet_in_one_point_nothing_is_told() -> None:
@@ -253,10 +282,11 @@ def test_a_plate_that_bears_nothing_is_told_to_bear_nothing() -> None:
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])
-@pytest.mark.parametrize("text", [TURNS, PUSHED, GUIDED], ids=["turns", "pushed", "guided"])
-def test_the_sheet_of_a_plate_is_recomputed_from_itself(text: str, language: str) -> None:
+@pytest.mark.parametrize("name", SHEETS)
+def test_the_sheet_of_a_plate_is_recomputed_from_itself(name: str, language: str) -> None:
     """Moments about the pins of the legs and about the special point, by the arms and arrows that are drawn."""
-    drawn = drawn_of(graphic_tmm.read(text.replace('language = "en"', f'language = "{language}"')))
+    text = SHEETS[name].replace('language = "en"', f'language = "{language}"')
+    drawn = drawn_of(graphic_tmm.read(text))
     assert check_sheet(drawn) >= 30
     (equations,) = (one for name, one in sheet(drawn).items() if name == "equations-2-3-4-5-2")
     headings = [line for line in lines(equations) if line.startswith("ΣM_W3 = ")]
