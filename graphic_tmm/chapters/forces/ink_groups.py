@@ -112,7 +112,7 @@ class GroupFigure(NamedTuple):
         return found
 
     @property
-    def others(self) -> set[Mark]:
+    def earlier(self) -> set[Mark]:
         """The special points of earlier passes of friction."""
         own = {mark for mark, at in self.figure.points.items() if mark == at}
         return own - {self.special.point} if self.special is not None else own
@@ -137,8 +137,8 @@ def draw_group(
     rules = {
         op: _nothing for op in dict.fromkeys(s.op.name for s in seen.steps) if _drawn(op, seen)
     }
-    others = shown.others
-    on_to_arms = partial(drawn_on, but=others)
+    earlier = shown.earlier
+    on_to_arms = partial(drawn_on, but=earlier)
     drawn_to_arms = (parallel, action, square, at_friction_angle)
     rules |= {arm.name: drawn_arm, **{op.name: on_to_arms for op in drawn_to_arms}}
 
@@ -148,7 +148,7 @@ def draw_group(
     def stays(seen: Seen, step: Step) -> bool:
         if step.it.kind is Point or not {step.it, *step.uses} & lines:
             return False
-        return arm_shows(seen, step, index, others)
+        return arm_shows(seen, step, index, earlier)
 
     traces = figure(seen, Manner(rules, stays), helping=helping)
     times = seen.number(mu_l, index) / seen.number(shown.figure.mu, index)
@@ -346,7 +346,7 @@ class _Loads:
         for step in self.seen.steps:
             if step.op is not arm or step.uses[1] not in lines:
                 continue
-            if arm_shows(self.seen, step, self.index, self.shown.others):
+            if arm_shows(self.seen, step, self.index, self.shown.earlier):
                 about, _, foot = acting(self.seen, step, self.index)
                 mm = abs(self.seen.number(step.it, self.index))
                 text = f"{markup(self.called(step.it.name))} = {fixed(mm, decimals, self.language)}"
