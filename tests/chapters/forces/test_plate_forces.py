@@ -137,6 +137,49 @@ GUIDED = TURNS.replace(
     'points = { F = [0, 0], S5 = [0.02, 0.03] }\nslides = { on = "frame", along = "u" }',
 ).replace("E = [0.42, 0.12]", 'u = { through = [0.2375, 0.038], angle = "114 deg" }', 1)
 """Its third leg is a slider whose weight, off its pin, its guide holds by a couple."""
+HUNG = (
+    TURNS.replace("S3 = [0.063, 0.027] }", "S3 = [0.063, 0.027], G = [0.05, -0.06] }")
+    .replace("E = [0.42, 0.12]\n", "E = [0.42, 0.12]\nK = [0.05, 0.25]\n", 1)
+    .replace(
+        "[drive]",
+        """[[link]]
+number = 6
+points = { G = [0, 0], H = [0.13, 0], S6 = [0.06, 0] }
+mass = "0.7 kg"
+centre = "S6"
+J = 0.001
+side = "left of GK"
+[[link]]
+number = 7
+points = { H = [0, 0], K = [0.12, 0] }
+[[load]]
+link = 7
+moment = "3 N*m"
+[drive]""",
+    )
+)
+"""A dyad hangs on its plate."""
+TWO_DRIVES = (
+    PUSHED.replace("A = [0.04, 0.05]\nD", "O = [0, 0]\nD")
+    .replace(
+        "[[link]]\nnumber = 2",
+        "[[link]]\nnumber = 1\npoints = { O = [0, 0], A = [0.05, 0] }\n[[link]]\nnumber = 2",
+        1,
+    )
+    .replace(
+        "[drive]",
+        """[[drive]]
+link = 1
+speed = 10
+from = "30 deg"
+to = "60 deg"
+positions = 3
+accelerations = "all"
+[[drive]]""",
+    )
+    .replace('from = "0.18 m"\nto = "0.22 m"\npositions = 3\naccelerations = "all"', 'at = "0.2 m"')
+)
+"""A crank and a cylinder drive it."""
 ROUGH = """
 [friction]
 f = 0.1
@@ -162,6 +205,8 @@ SHEETS = {
     "turns": TURNS,
     "pushed": PUSHED,
     "guided": GUIDED,
+    "hung": HUNG,
+    "two drives": TWO_DRIVES,
     "rough": rough(GUIDED),
     "two rough guides": rough(TWO_GUIDES),
 }
@@ -256,6 +301,18 @@ def test_the_triad_of_the_book_bears_as_newton_and_euler_say() -> None:
 def test_a_cylinder_under_a_plate_pushes_as_newton_and_euler_say() -> None:
     """A rod driven out of its cylinder is a leg of the plate: its force is read off the group's polygon."""
     judged(PUSHED, [0.18, 0.2, 0.22])
+
+
+def test_a_dyad_hands_its_reactions_on_to_a_plate() -> None:
+    judged(HUNG, [0.0, 40.0, 80.0])
+
+
+def test_each_of_two_drives_has_its_lever() -> None:
+    """On the lever of one the other is held: the plate and its legs turn as that one alone moves them."""
+    ways = [30.0, 45.0, 60.0]
+    balance = graphic_tmm.motion(TWO_DRIVES, ways, plans="forces", exact=True).balance
+    for groups, lever in (("P_bal_forces", "P_bal_lever"), ("P_bal_6", "P_bal_6_lever")):
+        np.testing.assert_allclose(balance[groups], balance[lever], rtol=1e-10)
 
 
 def test_a_slider_under_a_plate_bears_as_newton_and_euler_say() -> None:
