@@ -107,7 +107,8 @@ def _third_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
     if (special := solved.special) is None:
         return
     of, third = _sum(made, solved, special.total), special.third
-    of = of._replace(forces={**of.forces, **{one.value: one.letter for one in special.forces}})
+    told = {one.value: one.letter for one in special.forces}
+    of = of._replace(forces={**of.forces, **told}, signed=told)
     sought = Sought(third.letter, third.value, third.arm, writer.sense(third.arm), "N")
     heading = f"ΣM_{{{special.point.name}}}"
     for parts in writer.sought(heading, of, sought, solved.figure.mu):

@@ -9,7 +9,7 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Container, Iterator, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
@@ -111,6 +111,12 @@ class GroupFigure(NamedTuple):
             found |= {self.special.line, *(force.line for force in self.special.forces)}
         return found
 
+    @property
+    def earlier(self) -> set[Mark]:
+        """The special points of earlier passes of friction."""
+        own = {mark for mark, at in self.figure.points.items() if mark == at}
+        return own - {self.special.point} if self.special is not None else own
+
 
 def draw_group(
     on: Subject,
@@ -131,8 +137,10 @@ def draw_group(
     rules = {
         op: _nothing for op in dict.fromkeys(s.op.name for s in seen.steps) if _drawn(op, seen)
     }
+    earlier = shown.earlier
+    on_to_arms = partial(drawn_on, but=earlier)
     drawn_to_arms = (parallel, action, square, at_friction_angle)
-    rules |= {arm.name: drawn_arm, **{op.name: drawn_on for op in drawn_to_arms}}
+    rules |= {arm.name: drawn_arm, **{op.name: on_to_arms for op in drawn_to_arms}}
 
     # of the passes of friction the last one stays
     lines = shown.lines
@@ -140,7 +148,7 @@ def draw_group(
     def stays(seen: Seen, step: Step) -> bool:
         if step.it.kind is Point or not {step.it, *step.uses} & lines:
             return False
-        return arm_shows(seen, step, index)
+        return arm_shows(seen, step, index, earlier)
 
     traces = figure(seen, Manner(rules, stays), helping=helping)
     times = seen.number(mu_l, index) / seen.number(shown.figure.mu, index)
@@ -338,7 +346,7 @@ class _Loads:
         for step in self.seen.steps:
             if step.op is not arm or step.uses[1] not in lines:
                 continue
-            if arm_shows(self.seen, step, self.index):
+            if arm_shows(self.seen, step, self.index, self.shown.earlier):
                 about, _, foot = acting(self.seen, step, self.index)
                 mm = abs(self.seen.number(step.it, self.index))
                 text = f"{markup(self.called(step.it.name))} = {fixed(mm, decimals, self.language)}"

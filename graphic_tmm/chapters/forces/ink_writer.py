@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Container, Iterator, Mapping
 from typing import NamedTuple
 
 from graphic_tmm.board.operations.energetics import added
@@ -28,12 +28,13 @@ class Term(NamedTuple):
 class Sum(NamedTuple):
     """A sum of moments: what forces and couples are called where it stands, by their values.
 
-    A couple may be a sum itself.
+    A couple may be a sum itself. ``signed``: what was told with its sign before: in bars if that is −.
     """
 
     total: Mark
     forces: Mapping[Mark, str]
     couples: Mapping[Mark, str]
+    signed: Container[Mark] = ()
 
 
 class Sought(NamedTuple):
@@ -105,7 +106,8 @@ class Writer:
     def name(self, mark: Mark, of: Sum) -> str:
         """Return the letter of a force or couple, for a term: its size."""
         known = {**of.forces, **of.couples}
-        return self.letter(known.get(mark, mark.name).removeprefix("−"))
+        name = self.letter(known.get(mark, mark.name).removeprefix("−"))
+        return f"|{name}|" if mark in of.signed and self.sense(mark) < 0 else name
 
     def _term(self, term: Term, of: Sum, *, figures: bool) -> str:
         """Return a term, by its letters or with its figures."""

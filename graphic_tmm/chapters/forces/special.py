@@ -20,8 +20,8 @@ from graphic_tmm.chapters.forces.unknowns import (
     Slope,
     Slopes,
     Tangent,
-    closing_letter,
     guide_pair,
+    links_of,
     unknown_line,
 )
 from graphic_tmm.chapters.kinematics.closings import ClosingLeg, GuideLeg, PinLeg, PlateClosing
@@ -88,12 +88,17 @@ def solve_third(
     total = figure.sum(point, [*known, *forces], [*turned, *couples], letter)
     if total is None:
         total = draft.take(Number, letter, 0.0, "N·m")
-    third, called = closing.third, closing_letter(closing.third, tangents)
-    line = line_of(third)
+    called, line = _letter(closing.third), line_of(closing.third)
     height = figure.arm(called, point, line)
     value = draft.draw(along_third, called, total, height, figure.mu, unit="N")
     given = Tangent(called, value, height)
     return Special(point, (first, second), line, forces, couples, total, given)
+
+
+def _letter(leg: ClosingLeg) -> str:
+    """Return the letter of what holds the third leg along its line: it is signed, the whole reaction is not."""
+    raised = "n" if isinstance(leg, PinLeg) else "W"
+    return f"R_{{{leg.body}{links_of(leg)[0]}}}^{{{raised}}}"
 
 
 def _slope(leg: ClosingLeg, slopes: Slopes) -> Slope | None:

@@ -195,11 +195,11 @@ def check_letters(view: View, told: View) -> int:
     couples = {s.data["segment"]: arrows[s.data["segment"]] for s in _turning(view)}
     sizes = {text.split(" ")[0]: result(text) for text in written_out if not text.startswith("ΣM")}
     for name, size in sizes.items():
-        assert size.value >= 0.0 or re.match(r"[PM]_(ур|b)|R.*\^[τtn]$", name), name
+        assert size.value >= 0.0 or re.match(r"[PM]_(ур|b)|R.*\^[τtnW]$", name), name
     for heading, given in pairwise(written_out):
         if not (heading.startswith("ΣM") and heading.endswith(" = 0")):
             continue
-        by_letters = heading.split(" = ")[1]
+        by_letters = heading.split(" = ")[1].replace("|", "")  # sizes are put in
         sought, figures = given.split(" = ")[:2]
         names = letters(by_letters)
         assert names.count(sought) == 1, heading

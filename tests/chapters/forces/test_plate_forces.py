@@ -137,6 +137,79 @@ GUIDED = TURNS.replace(
     'points = { F = [0, 0], S5 = [0.02, 0.03] }\nslides = { on = "frame", along = "u" }',
 ).replace("E = [0.42, 0.12]", 'u = { through = [0.2375, 0.038], angle = "114 deg" }', 1)
 """Its third leg is a slider whose weight, off its pin, its guide holds by a couple."""
+HUNG = (
+    TURNS.replace("S3 = [0.063, 0.027] }", "S3 = [0.063, 0.027], G = [0.05, -0.06] }")
+    .replace("E = [0.42, 0.12]\n", "E = [0.42, 0.12]\nK = [0.05, 0.25]\n", 1)
+    .replace(
+        "[drive]",
+        """[[link]]
+number = 6
+points = { G = [0, 0], H = [0.13, 0], S6 = [0.06, 0] }
+mass = "0.7 kg"
+centre = "S6"
+J = 0.001
+side = "left of GK"
+[[link]]
+number = 7
+points = { H = [0, 0], K = [0.12, 0] }
+[[load]]
+link = 7
+moment = "3 N*m"
+[drive]""",
+    )
+)
+"""A dyad hangs on its plate."""
+TWO_DRIVES = (
+    PUSHED.replace("A = [0.04, 0.05]\nD", "O = [0, 0]\nD")
+    .replace(
+        "[[link]]\nnumber = 2",
+        "[[link]]\nnumber = 1\npoints = { O = [0, 0], A = [0.05, 0] }\n[[link]]\nnumber = 2",
+        1,
+    )
+    .replace(
+        "[drive]",
+        """[[drive]]
+link = 1
+speed = 10
+from = "30 deg"
+to = "60 deg"
+positions = 3
+accelerations = "all"
+[[drive]]""",
+    )
+    .replace('from = "0.18 m"\nto = "0.22 m"\npositions = 3\naccelerations = "all"', 'at = "0.2 m"')
+)
+"""A crank and a cylinder drive it."""
+ROUGH = """
+[friction]
+f = 0.1
+radius = "10 mm"
+passes = 3
+"""
+
+
+def rough(text: str) -> str:
+    return text.replace("inertia = true", "inertia = true\nfriction = true") + ROUGH
+
+
+TWO_GUIDES = (
+    GUIDED.replace(
+        "points = { C = [0, 0], D = [0.18, 0], S4 = [0.09, 0] }",
+        'points = { C = [0, 0], S4 = [0.03, -0.02] }\nslides = { on = "frame", along = "w" }',
+    )
+    .replace("D = [0.3, -0.05]", 'w = { through = [0.143, 0.038], angle = "240.7 deg" }', 1)
+    .replace('to = "100 deg"', 'to = "60 deg"')
+)
+"""Two of its legs are sliders."""
+SHEETS = {
+    "turns": TURNS,
+    "pushed": PUSHED,
+    "guided": GUIDED,
+    "hung": HUNG,
+    "two drives": TWO_DRIVES,
+    "rough": rough(GUIDED),
+    "two rough guides": rough(TWO_GUIDES),
+}
 
 
 def check(seed: int, guides: int, behind: int) -> None:
@@ -230,8 +303,21 @@ def test_a_cylinder_under_a_plate_pushes_as_newton_and_euler_say() -> None:
     judged(PUSHED, [0.18, 0.2, 0.22])
 
 
+def test_a_dyad_hands_its_reactions_on_to_a_plate() -> None:
+    judged(HUNG, [0.0, 40.0, 80.0])
+
+
+def test_each_of_two_drives_has_its_lever() -> None:
+    """On the lever of one the other is held: the plate and its legs turn as that one alone moves them."""
+    ways = [30.0, 45.0, 60.0]
+    balance = graphic_tmm.motion(TWO_DRIVES, ways, plans="forces", exact=True).balance
+    for groups, lever in (("P_bal_forces", "P_bal_lever"), ("P_bal_6", "P_bal_6_lever")):
+        np.testing.assert_allclose(balance[groups], balance[lever], rtol=1e-10)
+
+
 def test_a_slider_under_a_plate_bears_as_newton_and_euler_say() -> None:
     judged(GUIDED, [0.0, 40.0, 80.0])
+    judged(TWO_GUIDES, [10.0, 40.0, 55.0])
 
 
 def test_where_the_legs_meet_in_one_point_nothing_is_told() -> None:
@@ -253,10 +339,11 @@ def test_a_plate_that_bears_nothing_is_told_to_bear_nothing() -> None:
 
 
 @pytest.mark.parametrize("language", ["en", "ru"])
-@pytest.mark.parametrize("text", [TURNS, PUSHED, GUIDED], ids=["turns", "pushed", "guided"])
-def test_the_sheet_of_a_plate_is_recomputed_from_itself(text: str, language: str) -> None:
+@pytest.mark.parametrize("name", SHEETS)
+def test_the_sheet_of_a_plate_is_recomputed_from_itself(name: str, language: str) -> None:
     """Moments about the pins of the legs and about the special point, by the arms and arrows that are drawn."""
-    drawn = drawn_of(graphic_tmm.read(text.replace('language = "en"', f'language = "{language}"')))
+    text = SHEETS[name].replace('language = "en"', f'language = "{language}"')
+    drawn = drawn_of(graphic_tmm.read(text))
     assert check_sheet(drawn) >= 30
     (equations,) = (one for name, one in sheet(drawn).items() if name == "equations-2-3-4-5-2")
     headings = [line for line in lines(equations) if line.startswith("ΣM_W3 = ")]
