@@ -5,7 +5,7 @@ from __future__ import annotations
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.loads import Ground
-from graphic_tmm.chapters.kinematics.closings import AnyClosing
+from graphic_tmm.chapters.kinematics.closings import AnyClosing, groups_of
 
 
 class Figures:
@@ -23,7 +23,7 @@ class Figures:
             for link, end in ((wheel.leg.link, wheel.pitch), (wheel.rolling.on, wheel.far)):
                 self.pitches.setdefault(link, []).append(end)
         self.notes = {one.leg.link: one.rolling.note for one in ground.positions.wheels}
-        for closing in ground.positions.closings:
+        for closing in groups_of(ground.positions.closings, "forces"):
             for link in (*closing.group.links, *closing.group.rods):
                 self.links[link], self.closing[link] = closing.group.links, closing
 

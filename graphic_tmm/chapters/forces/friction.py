@@ -24,7 +24,7 @@ from graphic_tmm.chapters.forces.statics import inner_pairs, inside
 from graphic_tmm.chapters.forces.task import Friction
 from graphic_tmm.chapters.forces.unknowns import Slope, links_of
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.closings import AnyClosing, GuideLeg
+from graphic_tmm.chapters.kinematics.closings import AnyClosing, GuideLeg, groups_of
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, reach
 from graphic_tmm.chapters.kinematics.motion import Motion, known_image, pin_image
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
@@ -73,7 +73,7 @@ def joints(closings: tuple[AnyClosing, ...], pairs: Iterable[DrivenPair]) -> tup
     """Return all pairs of a mechanism; ``pairs``: its drives."""
     there = (one for one in pairs if not one.driven.telescopes)
     found = [Joint(one.pair, one.pair.links, None, one) for one in there]
-    for closing in closings:
+    for closing in groups_of(closings, "forces"):
         for leg, own in zip(closing.legs, closing.group.legs, strict=True):
             found.append(Joint(own.pair, (links_of(leg)[0], leg.body), closing))
         for pair, (pushes, pushed) in zip(inner_pairs(closing), inside(closing), strict=True):
