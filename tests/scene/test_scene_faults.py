@@ -172,7 +172,7 @@ CASES = [
     ('["B"]', '["B"]\nvelocities = "turnt"', "plans.velocities", 30, 'did you mean "turned"'),
     ('["B"]', '["B"]\n[hand]\nruler = "5 m"', "hand.ruler", 31, 'is no ruler; write "0.1 mm"'),
     ('"A1"', '"A9"', "sheet 1, format", 31, 'one of "A1", "A1 portrait", "A2"'),
-    ('"A1"', '"A1"\nplace = ["speeds"]', "sheet 1, place", 32, '"positions", "given", "veloc'),
+    ('"A1"', '"A1"\nplace = ["speeds"]', "sheet 1, place", 32, '"positions", "given", "special'),
     ('"A1"', '"A1"\nplace = []', "sheet 1, place", 32, "a list of plans is wanted"),
     ("[[sheet]]", "[sheet]", "sheet", 30, r"write \[\[sheet\]\] in double brackets"),
     ('name = "N"', 'nam = "N"', "title_block.nam", 33, 'did you mean "name"'),

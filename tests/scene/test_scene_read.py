@@ -145,7 +145,8 @@ def test_defaults(scene):
     assert plain.row.accelerations == plain.row.extra == plain.trajectories == ()
     assert plain.scales == Scales()
     assert plain.sheets[0].place == (
-        *("positions", "given", "velocities", "accelerations", "equations", "structure", "results"),
+        *("positions", "given", "special points", "velocities", "accelerations"),
+        *("equations", "structure", "results"),
     )
     assert (plain.common_pole, plain.main) == (False, None)
     assert plain.title_block == {}
