@@ -108,7 +108,8 @@ def test_every_refusal_of_a_section_is_a_function_that_is_there() -> None:
 
 def test_what_a_scene_calls_for_is_asked_for_by_a_section_or_by_its_mechanism() -> None:
     called = {one.name for one in chapters() if calls_for(scene("crank-rocker"), one)}
-    assert called == {"structure", "kinematics"}
+    # what balances by centres is there wherever centres and forces are
+    assert called == {"structure", "kinematics", "advantage"}
     assert {one.name for one in chapters() if calls_for(scene("cam"), one)} == {"cam"}
     assert not any(calls_for(scene("lettering"), one) for one in chapters())
 
