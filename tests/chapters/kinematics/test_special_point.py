@@ -126,3 +126,17 @@ def test_where_the_plate_stops_is_within_a_hundredth_of_a_degree() -> None:
     angles = [122.24, 122.26, -21.095, -21.106]
     omega = tmm.motion(tmm.read(REFERENCE), angles, exact=True).omega[3]
     assert [math.isfinite(one) for one in omega] == [True, False, True, False]
+
+
+@pytest.mark.parametrize("guides", range(3))
+def test_a_plate_in_machine_code_moves_as_step_by_step(guides: int) -> None:
+    one = machine(11 + guides, guides=guides)
+    row = followed(one)
+    angles = np.degrees([phi for phi, _ in row if phi < row[0][0] + 2 * math.pi])[1:-1]
+    slow, fast = (
+        tmm.motion(tmm.read(one.text), angles, exact=True, fast=how) for how in (False, True)
+    )
+    for link, omega in slow.omega.items():
+        size = np.nanmax(np.abs(omega))
+        assert np.nanmax(np.abs(fast.omega[link] - omega)) <= 1e-9 * size, link
+        assert (np.isnan(omega) == np.isnan(fast.omega[link])).all()
