@@ -10,6 +10,7 @@ import cmath
 import math
 import random
 from collections.abc import Callable
+from itertools import pairwise
 
 Spots = dict[str, complex]
 Read = dict[str, float]
@@ -88,7 +89,7 @@ def laid(angle: float, size: dict[str, float]) -> list[Spots]:
     found = []
     for side in (1.0, -1.0):
         row = [2 * math.pi * k / 720 for k in range(721)]
-        for low, high in zip(row, row[1:], strict=False):
+        for low, high in pairwise(row):
             ends = tried(low, side), tried(high, side)
             if ends[0] is None or ends[1] is None or ends[0][1] * ends[1][1] > 0:
                 continue
@@ -130,9 +131,8 @@ class Student:
         seed: int,
         mu: tuple[float, float, float] = (0.002, 0.01, 0.15),
         pair: tuple[int, int] = (2, 4),
-        scale: float = 1.0,
     ) -> None:
-        """``pair``: the legs in whose crossing he takes Assur's point; ``scale``: of his numbers' μ rows."""
+        """``pair``: the legs in whose crossing he takes Assur's point."""
         self.chance, self.mu, self.pair = random.Random(seed), mu, pair
         self.slip, self.ruler = 0.15, 0.5
         self.size = dict(LENGTHS)
@@ -145,14 +145,19 @@ class Student:
         self.rates: Callable[[dict[str, float], int], object] = lambda of, place: None
         self.crank_way = 1j
         self.out = -1.0
-        self.own: dict[int, complex] = {}
         self.special = True
+        """Whether he hands in what is drawn of Assur's point."""
 
     def pricked(self, spot: complex) -> complex:
         return spot + complex(self.chance.gauss(0, self.slip), self.chance.gauss(0, self.slip))
 
     def read(self, length: float) -> float:
         return round(round(length / self.ruler) * self.ruler, 3)
+
+    @property
+    def kept_back(self) -> set[str]:
+        """The names that the scene, which takes another of Assur's points, does not have."""
+        return {f"n3{LEGS[k][1].lower()}" for k in self.pair} - {"n3b", "n3c"}
 
     @property
     def third(self) -> int:
@@ -191,7 +196,7 @@ class Student:
         """Return the angular velocities, 1/s, of lengths that are read."""
         of = {"omega1": self.omega}
         base = {"A": v["a"], "D": 0j, "E": 0j}
-        l, mu = self.mu[:2]
+        mu_l, mu = self.mu[:2]
         for k, (pivot, pin) in LEGS.items():
             moved, arm = v[pin.lower()] - base[pivot], on[pin] - on[pivot]
             sign = math.copysign(1.0, (arm.conjugate() * moved).imag)
@@ -199,7 +204,7 @@ class Student:
         pin = LEGS[self.third][1]
         moved, arm = v[pin.lower()] - v["w3"], on[pin] - on["W3"]
         sign = math.copysign(1.0, (arm.conjugate() * moved).imag)
-        of["omega3"] = sign * self.read(abs(moved)) * mu / (abs(arm) * l)
+        of["omega3"] = sign * self.read(abs(moved)) * mu / (abs(arm) * mu_l)
         self.rates(of, place)
         return of
 
@@ -207,11 +212,9 @@ class Student:
         self, on: Spots, v: Spots, of: dict[str, float]
     ) -> tuple[Spots, dict[str, float]]:
         """Return the plan of accelerations, from its pole 0, mm, and the angular accelerations, 1/s²."""
-        l, _, mu = self.mu
-        scale = l / mu
-        a = self.pricked(
-            self.out * on["A"] / abs(on["A"]) * self.omega**2 * LENGTHS["OA"] / mu
-        )
+        mu_l, _, mu = self.mu
+        scale = mu_l / mu
+        a = self.pricked(self.out * on["A"] / abs(on["A"]) * self.omega**2 * LENGTHS["OA"] / mu)
         base = {"A": a, "D": 0j, "E": 0j}
         mm = {
             f"n{k}": of[f"omega{k}"] ** 2 * abs(on[pin] - on[pivot]) * scale
@@ -220,7 +223,7 @@ class Student:
         for k in self.pair:
             pin = LEGS[k][1]
             mm[f"n3{pin.lower()}"] = of["omega3"] ** 2 * abs(on[pin] - on["W3"]) * scale
-        pivot, pin = LEGS[self.third]
+        pin = LEGS[self.third][1]
         mm["n3"] = of["omega3"] ** 2 * abs(on[pin] - on["W3"]) * scale
         self.normal(mm)
         normals, ends = {}, {}
@@ -231,9 +234,7 @@ class Student:
             inner = LEGS[k][1]
             arm = on[inner] - on["W3"]
             name = f"n3{inner.lower()}"
-            ends[k] = normals[name] = self.pricked(
-                normals[f"n{k}"] + arm / abs(arm) * mm[name]
-            )
+            ends[k] = normals[name] = self.pricked(normals[f"n{k}"] + arm / abs(arm) * mm[name])
         first, second = self.pair
         ways = {k: 1j * (on[i] - on[o]) for k, (o, i) in LEGS.items()}
         w = self.pricked(meeting(ends[first], ways[first], ends[second], ways[second]))
@@ -254,16 +255,16 @@ class Student:
             eps[f"epsilon{k}"] = sign * self.read(abs(moved)) * mu / self.size[outer + inner]
         moved = third - normals["n3"]
         sign = math.copysign(1.0, (arm.conjugate() * moved).imag)
-        eps["epsilon3"] = sign * self.read(abs(moved)) * mu / (abs(arm) * l)
+        eps["epsilon3"] = sign * self.read(abs(moved)) * mu / (abs(arm) * mu_l)
         return images | normals, eps
 
     def csv(self, kinds: str = "points lengths figures") -> str:
-        l, v, a = self.mu
+        mu_l, mu_v, mu_a = self.mu
         rows = [
             HEAD,
-            f"positions,,μ_l,,{l},m/mm,,",
-            f"velocities,,μ_v,,{v},(m/s)/mm,,",
-            f"accelerations,,μ_a,,{a},(m/s²)/mm,,",
+            f"positions,,μ_l,,{mu_l},m/mm,,",
+            f"velocities,,μ_v,,{mu_v},(m/s)/mm,,",
+            f"accelerations,,μ_a,,{mu_a},(m/s²)/mm,,",
         ]
         for place, spots in rows_of_places(self.size).items():
             on = self.drawn(place, self.places(place, spots))
@@ -272,13 +273,13 @@ class Student:
             gains, eps = self.accelerations(on, velocities, of)
             if "points" in kinds:
                 every = (
-                    ("positions", {k: on[k] for k in "ABC" if k in on} | {"F": on["F"]}),
+                    ("positions", {k: on[k] for k in "ABCF"}),
                     ("velocities", velocities),
                     ("accelerations", gains),
                 )
                 for plan, images in every:
                     for name, spot in images.items():
-                        if not self.special and "3" in name and plan != "positions":
+                        if name in self.kept_back or (not self.special and "3" in name):
                             continue
                         x, y = self.read(spot.real), self.read(spot.imag)
                         rows.append(f"{plan},{place},{name},,,,{x},{y}")
@@ -294,8 +295,14 @@ class Student:
         return "\n".join(rows) + "\n"
 
     def _lengths(self, v: Spots) -> Read:
-        ends = {"pa": ("", "a"), "ab": ("a", "b"), "pb": ("", "b"), "pc": ("", "c"), "pf": ("", "f")}
-        if self.special:
+        ends = {
+            "pa": ("", "a"),
+            "ab": ("a", "b"),
+            "pb": ("", "b"),
+            "pc": ("", "c"),
+            "pf": ("", "f"),
+        }
+        if self.special and self.pair == (2, 4):
             pin = LEGS[self.third][1].lower()
             ends[f"w3{pin}"] = ("w3", pin)
         return {k: self.read(abs(v.get(p, 0j) - v[q])) for k, (p, q) in ends.items()}

@@ -1,0 +1,82 @@
+"""Assur's special points of other legs of a plate: a student may take one of them; its images on the plans."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+
+import numpy as np
+
+from graphic_tmm.board.geometry import wedge
+from graphic_tmm.board.record import segment_name
+from graphic_tmm.board.values import Complexes, Length, Line, Point
+from graphic_tmm.chapters.kinematics.closings import ClosingLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.motion import Motion
+from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.drawn import Drawn
+from graphic_tmm.readers.columns import Choice
+
+
+def special_choices(drawn: Drawn) -> Iterator[Choice]:
+    """Yield the image of each special point on each plan, with where those of other legs have theirs."""
+    made = KINEMATICS_PLAN.of(drawn.project)
+    if made is None:
+        return
+    for closing in made.positions.closings:
+        if not isinstance(closing, PlateClosing):
+            continue
+        for plan in (made.velocities, made.accelerations):
+            if plan is not None and drawn.row(plan.images.pole.view):
+                yield from _on_plan(drawn, closing, plan)
+
+
+def _on_plan(drawn: Drawn, closing: PlateClosing, plan: Motion) -> Iterator[Choice]:
+    number, view = closing.group.plate, plan.images.pole.view
+    hanging = plan.images.hanging.get(number)
+    reading, row = drawn.of(view), drawn.row(view)
+    if hanging is None or reading is None or hanging.image not in reading:
+        return
+    images = [reading[plan.images.by_letter[number][pin]][:1] for pin in closing.pins]
+    spots = [_row(drawn.reading[pin], drawn, row) for pin in closing.points]
+    with np.errstate(all="ignore"):
+        others = [
+            images[0] + (point - spots[0]) * (images[1] - images[0]) / (spots[1] - spots[0])
+            for point in _crossings(drawn, closing, row)
+        ]
+    places = np.full((len(others), len(drawn.names)), complex(np.nan, np.nan))
+    places[:, list(row)] = np.concatenate(others)
+    name = hanging.image.key[1]
+    yield Choice(view, name, places, frozenset(_names(drawn, view, number)))
+
+
+def _names(drawn: Drawn, view: str, number: int) -> Iterator[str]:
+    """Yield the names of what is drawn or read of a plan that goes by the special point."""
+    for step in drawn.construction.steps:
+        mark = step.it
+        if mark.view == view and any(f"{one}{number}" in mark.name for one in "wn"):
+            if mark.kind is Point:
+                yield mark.key[1]
+            elif mark.kind is Length:
+                yield segment_name(mark.letter)
+
+
+def _crossings(drawn: Drawn, closing: PlateClosing, row: tuple[int, ...]) -> Iterator[Complexes]:
+    """Yield where the lines of the other pairs of legs cross."""
+    for first, second in combinations(range(3), 2):
+        if {first, second} != {*closing.branch.crossing}:
+            p, q = (_line(drawn, closing, closing.legs[k], row) for k in (first, second))
+            share = wedge(q.at - p.at, q.along) / wedge(p.along, q.along)
+            yield p.at + share * p.along
+
+
+def _line(drawn: Drawn, closing: PlateClosing, leg: ClosingLeg, row: tuple[int, ...]) -> Line:
+    """Return the line of a leg at the positions of a plan, of one that slides square to its guide."""
+    pin, line = _row(drawn.reading[closing.pin(leg)], drawn, row), drawn.reading[leg.line]
+    way = _row(line.along, drawn, row)
+    return Line(pin, way if isinstance(leg, PinLeg) else 1j * way)
+
+
+def _row(values: Complexes, drawn: Drawn, row: tuple[int, ...]) -> Complexes:
+    """Return values, (1, position), at the positions of a plan."""
+    wide = np.broadcast_to(values[:1], (1, len(drawn.names)))
+    return np.asarray(wide[:, list(row)])
