@@ -36,6 +36,7 @@ ALLOWED = {
     "readers/any_angles/turn.py: 'gears'",
     "readers/any_angles/turn.py: 'centrodes'",
     "readers/any_angles/turn.py: 'curvature'",
+    "readers/any_angles/turn.py: 'hodograph'",
     "readers/any_angles/results.py: 'forces'",
     "readers/any_angles/turn.py: 'centres'",
     "readers/any_angles/results.py: 'centres'",

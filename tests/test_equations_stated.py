@@ -18,7 +18,8 @@ from support.gallery import NAMES, scene
 from support.note_judge import formulas_of
 from support.stated import Equations, Stated, letters_of
 
-from graphic_tmm.chapters.forces.ink_balances import Writer, driver_rows, group_rows, lever_rows
+from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
+from graphic_tmm.chapters.forces.ink_writer import Writer
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN
 from graphic_tmm.chapters.forces.views import EXACTLY
 from graphic_tmm.drawn import DrawnScene

@@ -53,6 +53,7 @@ class Quantity(NamedTuple):
     ``values``: read position by position, ``row`` of them from the first; a single number if it is 0. ``due``:
     the true values, drawn on the same log by an exact hand; empty where another drawing gives them: the
     ``reference``. ``places``: places of sheets, one of which has to be ordered; none: it is always wanted.
+    ``at``: the positions (indices) that alone are read, where sheets show no others.
     """
 
     name: str
@@ -62,6 +63,11 @@ class Quantity(NamedTuple):
     due: tuple[Value, ...] = ()
     reference: Reference | None = None
     places: tuple[str, ...] = ()
+    at: tuple[int, ...] = ()
+
+    def position(self, k: int) -> int:
+        """Return the position (index) of the k-th value."""
+        return self.at[k] if self.at else k
 
     @property
     def marks(self) -> tuple[Mark, ...]:
@@ -78,8 +84,9 @@ class Quantity(NamedTuple):
         found = []
         for mark, by in self.due if due else self.values:
             value = reading[mark] * (reading[by] if isinstance(by, Mark) else by)
-            wide = self.row or 1
-            value = value[:, :wide] if value.shape[1] > 1 else value
+            wide = len(self.at) or self.row or 1
+            if value.shape[1] > 1:
+                value = value[:, list(self.at)] if self.at else value[:, :wide]
             found.append(np.broadcast_to(value, (trials, wide)))
         return np.concatenate(found, axis=1)
 

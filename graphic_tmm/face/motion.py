@@ -49,9 +49,10 @@ def motion(
         reactions and what balances the crank, of a scene that has loads. A load by the travel of a slider turns
         at the ends of its travel; one by the angle or by the position is read off its diagram along straight
         lines, gas off the indicator diagram as drawn. They go with the cycle, which begins at the zero
-        position; its angles go on to 720° where it takes two turns. "centres", "centrodes", "curvature": what
-        these chapters find. Or "cam", "arc_cam", "planetary", "gears": the places are then angles of the cam
-        from where its phases, or the rise, begin, or of the shaft that drives.
+        position; its angles go on to 720° where it takes two turns. "centres", "centrodes", "curvature",
+        "hodograph" (the analogues of its points): what these chapters find. Or "cam", "arc_cam", "planetary",
+        "gears": the places are then angles of the cam from where its phases, or the rise, begin, or of the
+        shaft that drives.
     exact
         Read without the ruler's rounding.
     fast

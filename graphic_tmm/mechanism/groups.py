@@ -128,7 +128,7 @@ def class_two(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
         if isinstance(group, PlateGroup):
             raise StructureError(
                 said(
-                    "group {name} is of class III, of which this is not drawn: leave it out",
+                    "group {name} is of class III: this is drawn of groups of class II only; leave it out",
                     name=group.name,
                 ),
                 *(f"link {number}" for number in group.links),

@@ -60,7 +60,8 @@ class Slide:
 class Near:
     """Which of its places a plate on three legs keeps: near this direction of its own x axis, degrees.
 
-    ``at``: the coordinate of the first drive there (degrees, or m of what slides); None: where its row begins.
+    ``at``: the coordinate of the first drive there (degrees, or m of what slides); None: the first of even ones
+    at which it can be laid.
     """
 
     angle: float

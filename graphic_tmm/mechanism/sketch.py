@@ -13,9 +13,9 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from graphic_tmm.mechanism.groups import Group, Pair, class_two
+from graphic_tmm.mechanism.groups import Group, Pair, PlateGroup, known_groups
 from graphic_tmm.mechanism.guides import level, turn
-from graphic_tmm.mechanism.records import Arm, Guide, Link, Mechanism, Side, Slide
+from graphic_tmm.mechanism.records import Arm, Guide, Link, Mechanism, Near, Side, Slide
 from graphic_tmm.mechanism.structure import dissect
 
 SAME = 1e-12
@@ -208,11 +208,17 @@ def built(drawn: Mechanism, degrees: float = 0.0, like: Mechanism | None = None)
     bare = {link.number: _own(link, poses, size, known.get(link.number)) for link in drawn.links}
     structure = dissect(replace(drawn, links=tuple(bare.values())))
     doubt: dict[str, float] = {}
-    for group in class_two(structure.groups, "sketch"):
+    for group in known_groups(structure.groups, "sketch"):
         if group.rods:
             for rod in group.rods:
                 pair = next(one.pair for one in structure.driven if one.link == rod)
                 _put_along(bare, pair, _rod_ends(drawn, pair), drawn, degrees)
+        if isinstance(group, PlateGroup):
+            plate = bare[group.plate]
+            if plate.near is None:
+                near = Near(_angle(poses[group.plate].angle), degrees)
+                bare[group.plate] = replace(plate, near=near)
+            continue
         if group.kind == 1:
             doubt[group.name] = _put_left(bare, group, drawn, degrees)
         elif group.kind < 4:

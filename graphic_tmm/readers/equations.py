@@ -26,6 +26,8 @@ VECTORS = {roles.VELOCITY: "v", roles.ACCELERATION: "a"}
 _INDEX = re.compile(r"([_^])(\w+)")
 _GROUP, _HEADING = re.compile(r"II\((.+)\)"), said("group {name} of class II")
 """How the log heads the steps of a group, and what people read: II before a vector would be a parallel."""
+_PLATE, _OF_PLATE = re.compile(r"III\((.+)\)"), said("group {name} of class III")
+"""The same of a plate on three legs."""
 _WHEEL, _ROLLS = re.compile(r"p4\((.+)\)"), said("wheel {name} with its higher pair")
 """The same of a wheel that rolls on another."""
 _BELTED = re.compile(r"p4\((.+)\) by a flexible link")
@@ -97,7 +99,12 @@ def heading(note: str, language: str) -> str:
     >>> heading("II(2-3)", "en"), heading("v_A = ω_1·l_{OA}", "en")
     ('group 2-3 of class II', 'v_A = ω_1·l_{OA}')
     """
-    for pattern, words in ((_GROUP, _HEADING), (_WHEEL, _ROLLS), (_BELTED, _DRIVEN)):
+    for pattern, words in (
+        (_GROUP, _HEADING),
+        (_PLATE, _OF_PLATE),
+        (_WHEEL, _ROLLS),
+        (_BELTED, _DRIVEN),
+    ):
         if found := pattern.fullmatch(note):
             return speaking(language)(words, name=found[1])
     return note
@@ -148,7 +155,8 @@ def equations(construction: Construction, plan: str, *, turned: bool = False) ->
         return
     turned = turned and view.pole.role == roles.VELOCITY
     steps = [step for step in construction.steps if step.it.view == plan]
-    read, of = {s.uses[2]: s.it for s in steps if s.op is measure_along}, components(construction)
+    read = {s.uses[1:]: s.it for s in steps if s.op is measure_along}
+    of = components(construction)
     group, fresh = "", dict[Mark, Step]()
     for step in steps:
         if step.note:
@@ -165,12 +173,12 @@ def _equation(
     pole: Mark,
     lines: list[Step],
     fresh: dict[Mark, Step],
-    told: tuple[Mapping[Mark, Mark], Mapping[Mark, str]],
+    told: tuple[Mapping[tuple[Mark, ...], Mark], Mapping[Mark, str]],
     turned: bool,
 ) -> Equation:
     """Return the equation of the point where two lines met.
 
-    ``told``: the lengths read along lines, by these; the letters of components, by their lengths.
+    ``told``: the lengths read to points along lines, by both; the letters of components, by their lengths.
     """
     read, of = told
     root = VECTORS[pole.role]
@@ -189,12 +197,22 @@ def _equation(
             known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True, marks=(pole, start)))
         direction = _direction(line, turned)
         if known:
-            symbol = quantity(read[line.it], of) if line.it in read else name
+            symbol = _relative(root, point, start, line)
+            if (point, line.it) in read:
+                symbol = quantity(read[point, line.it], of)
             ends = line.uses[0], point
             sides.append((*known, Term(symbol, False, direction, ends, line.it)))
         else:
             sought = Term(name, False, direction, (pole, point), line.it)
     return Equation(group, sought, tuple(sides), (pole, point))
+
+
+def _relative(root: str, point: Mark, start: Mark, line: Step) -> str:
+    """Return the letter of what nobody reads: of Assur's special point about the pivot of a leg."""
+    ends = ends_of(line.uses[1].name.strip("()"))
+    about = ends[0] if len(ends) == 2 else start.name.upper()
+    whole = f"{root}_{{{point.name.upper()}{about}}}"
+    return f"{whole}^{{t}}" if root == "a" else whole
 
 
 def _direction(line: Step, turned: bool) -> str:

@@ -116,6 +116,7 @@ def _mechanism(parts: Parts, frame: m.Frame, links: list[m.Link], drive: m.Drive
     made = [
         replace(
             _link(link, bodies, frame.number),
+            near=_near(link, drive),
             centre=_centre(link, pins),
             arms=arms_of(written, link.number),
         )
@@ -181,6 +182,14 @@ def _sign(drive: m.Drive | m.FurtherDrive) -> int:
     return -1 if drive.turns == CLOCKWISE else 1
 
 
+def _near(table: m.Link, drive: m.Drive) -> Near | None:
+    """Return which place of a plate is meant: where it says, else where the row begins if that is said."""
+    if table.near is None:
+        return None
+    begins = (*_ends(drive), drive.zero if isinstance(drive.zero, float) else None)
+    return Near(table.near, begins[0] if table.near_at is None else table.near_at)
+
+
 def _guides(tables: Mapping[str, m.Guide]) -> tuple[Guide, ...]:
     return tuple(Guide(name, table.through, table.angle) for name, table in tables.items())
 
@@ -197,7 +206,6 @@ def _link(table: m.Link, bodies: dict[int, m.Frame | m.Link], frame: int) -> Lin
         inertia=_inertia(table),
         side=side,
         rod=table.rod,
-        near=None if table.near is None else Near(table.near, table.near_at),
     )
 
 

@@ -82,7 +82,7 @@ def link_table(link: Link, hand: Joints, frame: int, told: Mapping[str, Any]) ->
         found["side"] = _side(link.side.sign, link.side.left_of, told.get("side"))
         if link.side.flips_at is not None:
             found["flips_at"] = [_degrees(at) for at in link.side.flips_at]
-    if link.near is not None:
+    if link.near is not None and "near" not in told:
         found["near"] = _degrees(link.near.angle)
     return found
 

@@ -176,7 +176,7 @@ class Link:
     )
     near_at: float | None = key(
         c.COORDINATE,
-        "where the first drive stands then, if not where its sweep begins",
+        "where the first drive stands then, if not where its row begins",
         "40 deg",
         None,
     )

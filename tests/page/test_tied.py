@@ -12,6 +12,7 @@ from support import gallery, strangers
 from support.other_lengths import drawn_alike, other
 from support.scripts import run
 
+from graphic_tmm.board.record import Construction
 from graphic_tmm.board.values import Arc, Complexes, Line
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.page.dense import Dense, dense
@@ -107,6 +108,12 @@ AWAY = 2000.0
 """What reaches so far, mm, has flown away beside a place where the mechanism can hardly be drawn."""
 
 
+def _letters(log: Construction, view: str) -> list[tuple[str, ...]]:
+    """What a plan finds in its order, by what: of other lengths another pair of lines may cross best."""
+    steps = (step for step in log.steps if step.it.view == view)
+    return [(step.it.letter, *(mark.letter for mark in step.uses)) for step in steps]
+
+
 def _outcomes(scene: Scene, own: Drawn) -> Counter[str]:
     """Return how ink of a scene follows three other sets of lengths; a stroke that is wrong fails."""
     tied = _tied(_dense(own))
@@ -116,6 +123,8 @@ def _outcomes(scene: Scene, own: Drawn) -> Counter[str]:
         angles = tuple(range(3, there.whole, max(there.whole // ANGLES, 1)))
         values = values_of(tied.among, there.drawn.reading, angles, there.whole)
         for moving in _moving(there.drawn):
+            if _letters(there.log, moving.name) != _letters(own.construction, moving.name):
+                continue
             for t, k in enumerate(angles):
                 due = _ink(moving.at(k)) if k not in there.drawn.undrawn else {}
                 reach = max((abs(z) for row in due.values() for z in row), default=np.inf)

@@ -16,11 +16,13 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.forces.loads import Ground
 from graphic_tmm.chapters.forces.plan import Forces, draw_forces
+from graphic_tmm.chapters.forces.statics import inner_pairs
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.by_drive import draw_by_drive
-from graphic_tmm.chapters.kinematics.positions import draw_frame, draw_positions
+from graphic_tmm.chapters.kinematics.closings import PlateClosing
+from graphic_tmm.chapters.kinematics.positions import Branches, draw_frame, draw_positions
 from graphic_tmm.chapters.kinematics.survey import survey
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.chapters.kinematics.wheels import Wound
@@ -56,14 +58,15 @@ class Solved(NamedTuple):
 
 
 def places(structure: Structure, positions: Positions) -> dict[str, str]:
-    """By the name of a sliding pair: the letter of its group's closing point."""
+    """By the name of a sliding pair: the letter of the inner end of its leg."""
     found = {}
     for closing in positions.closings:
-        for leg in closing.group.legs:
-            if leg.pair.kind == "P":
-                found[leg.pair.name] = closing.letter
-        if closing.group.inner.kind == "P":
-            found[closing.group.inner.name] = closing.letter
+        for own, leg in zip(closing.group.legs, closing.legs, strict=True):
+            if own.pair.kind == "P":
+                found[own.pair.name] = closing.pin_letter(leg)
+        for pair in inner_pairs(closing):
+            if pair.kind == "P":
+                found[pair.name] = closing.pin_letter(closing.legs[0])
     return found
 
 
@@ -98,13 +101,14 @@ def solve(
     turned: bool = False,
     judged: bool = True,
     wound: Wound | None = None,
+    branches: Branches | None = None,
 ) -> Solved:
     """Draw and execute the forces of a mechanism at a crank angle (degrees); ask the judge if ``judged``."""
     mechanism = loaded.mechanism
     structure, draft = dissect(mechanism), Draft()
     frame = draw_frame(draft, mechanism, structure)
     angle = draft.board.take(Angle, "φ", "°")
-    positions = draw_positions(draft, mechanism, structure, frame, [angle], wound)
+    positions = draw_positions(draft, mechanism, structure, frame, [angle], wound, branches)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=turned)
     accelerations = None
     if order.inertia:
@@ -129,6 +133,9 @@ def solve(
             given[view.scale] = 1.0
     given[forces.first.lever.times] = 2.5
     given[angle] = phi
+    for closing in positions.closings:
+        if isinstance(closing, PlateClosing):
+            given |= dict(zip(closing.near, closing.branch.near(np.array([phi])), strict=True))
     reading = execute(log, given)
     state = solve_fast(mechanism, phi, poses)
     if not judged:

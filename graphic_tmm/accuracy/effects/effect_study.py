@@ -318,6 +318,7 @@ def _change(result: _Result, rest: Sequence[Project]) -> Change | None:
     percent = 100.0 * apart_most / result.largest
     if not percent > NOISE:
         return None
-    position = result.drawing.names[place] if result.quantity.row else ""
+    at = result.quantity.position(place)
+    position = result.drawing.names[at] if result.quantity.row else ""
     told = segment_name(letter), position, percent, result.error, result.pencil
     return Change(result.quantity.name, *told)

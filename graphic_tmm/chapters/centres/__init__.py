@@ -16,7 +16,8 @@ About P_i0 a link turns at this moment, and in P_1i it goes as link 1: ω_i/ω_1
 sense where both centres lie on one side of P_1i; v_X = ω_i·P_i0 X. Both are held against the plan of
 velocities.
 
-Draws: place ``centres``: the scheme of centres of each position asked for, the polygon of links, tables.
+Draws: place ``centres``: the scheme of centres of each position asked for, the polygon of links, tables. On the
+page the scheme moves with the crank.
 Builds on the plans of positions and of velocities.
 
 Sources: Артоболевский И. И., Теория механизмов и машин (мгновенные центры скоростей); Norton R. L., Design of

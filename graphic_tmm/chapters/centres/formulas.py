@@ -30,17 +30,17 @@ def rate_by_ratio_clockwise(ratio: Number, omega: Number) -> Number:
     """−{ratio}·{omega}"""
 
 
-@formula(
-    fails=_TOGETHER,
-    why=said("In the common centre the link goes as the slider does."),
-)
+@formula(fails=_TOGETHER, why=said("In the common centre the link goes as the slider does."))
 def rate_by_slider(speed: Number, distance: Length, mu: Number) -> Number:
     """{speed}/({distance}·{mu})"""
 
 
 @formula(
     fails=_TOGETHER,
-    why=said("About its centre the link turns: the velocity of a point is ω times its distance."),
+    why=said(
+        "About its centre the link turns: the velocity of a point is ω times its distance; the side on which "
+        "the centre lies of the velocity tells the sense."
+    ),
 )
 def rate_by_point(segment: Length, mu_v: Number, distance: Length, mu: Number) -> Number:
     """|{segment}|·{mu_v}/({distance}·{mu})"""

@@ -13,8 +13,8 @@ from graphic_tmm.board.operations.instruments import join, parallel, square
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.centres.network import Centre
-from graphic_tmm.chapters.centres.plan import Centres
-from graphic_tmm.chapters.centres.scales import Room, room, spots
+from graphic_tmm.chapters.centres.record import Centres
+from graphic_tmm.chapters.centres.scales import room, spots
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.kinematics.ink_numbers import link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
@@ -27,6 +27,7 @@ from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.mark_rules import leaving
 from graphic_tmm.paper.seen import Rule, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import arrow
+from graphic_tmm.paper.window import Window
 
 RADIUS = 1.3
 """Of the small circle about a centre, mm."""
@@ -41,7 +42,7 @@ Stretch = tuple[Ends, Sequence[tuple[complex, complex, tuple[Centre, ...]]]]
 """What is drawn of a line: its ends, mm; tips of arrows there, their ways, the far centres they lead to."""
 
 
-class _Scheme:
+class SchemeInk:
     """The scheme in one position while it is inked."""
 
     def __init__(
@@ -58,22 +59,16 @@ class _Scheme:
             elif mark.kind is Point:
                 values[mark.slot] = on.reading[mark] * times
         whole = {one: reach.times(times) for one, reach in reaches.items()}
-        self.links = PositionsInk(
-            on.construction, Reading(values, on.reading.positions), whole, [place]
-        )
-        self.room = (room(*spots(made, on.reading, place)) or Room(0j, 0j)).grown(EDGE)
+        reading = Reading(values, on.reading.positions)
+        self.links = PositionsInk(on.construction, reading, whole, [place])
+        self.room = (room(*spots(made, on.reading, place)) or Window(0j, 0j)).grown(EDGE)
 
-    def mechanism(self) -> list[Ink]:
-        """The links, which stand on the points of the scheme."""
+    def mechanism(self) -> Iterator[Ink]:
+        """Yield the links, which stand on the points of the scheme."""
         own = {of.slot: mark.slot for of, mark in self.made.points.items()}
-        found = [*self.links.guides(), *self.links.heavy(self.place)]
-        return [
-            stroke._replace(
-                of=tuple(own[slot] for slot in stroke.of if slot in own) or tuple(own.values()),
-                position=self.place,
-            )
-            for stroke in found
-        ]
+        for stroke in (*self.links.guides(), *self.links.heavy(self.place)):
+            of = tuple(own[slot] for slot in stroke.of if slot in own)
+            yield stroke._replace(of=of or tuple(own.values()), position=self.place)
 
     def lines(self) -> dict[Mark, Stretch]:
         """Every line of the scheme with what is drawn of it."""
@@ -88,7 +83,7 @@ class _Scheme:
         at, way = self.seen.line(of, self.place)
         if not finite(at, way):
             return None
-        inside = self.room.part(at, way)
+        inside = self.room.span(at, way)
         own = [one for one in self.made.centres if of in (*one.lines, one.mark) or one.mark in uses]
         there = {mark for mark in uses if mark.kind is Point and mark.view == CENTRES}
         there |= {one.mark for one in own if not one.far}
@@ -151,23 +146,32 @@ class _Scheme:
             yield [one._replace(of=slots, position=self.place) for one in head], letter
 
 
+def letters_of_arrows(arrows: Sequence[Wanted]) -> Iterator[Wanted]:
+    """Yield the letters of arrows: of those to one centre, close together, the one with most room about it."""
+    left = list(arrows)
+    while left:
+        near = [k for k in left if k.text == left[0].text and abs(k.at - left[0].at) < TOGETHER]
+        away = [k.at for k in arrows if k.text != left[0].text]
+        left = [k for k in left if k not in near]
+        yield max(near, key=lambda own: min((abs(z - own.at) for z in away), default=0.0))
+
+
 def draw_scheme(
     on: Subject, made: Centres, reaches: Mapping[Figure, Reach], place: int, times: float
 ) -> Drawing:
     """Return the scheme of centres in one position; ``times``: how much larger than the plan of positions."""
-    ink = _Scheme(on, made, reaches, place, times)
+    ink = SchemeInk(on, made, reaches, place, times)
     lines = ink.lines()
     rules: dict[Mark, Rule] = {k: leaving(line("thin", *one[0])) for k, one in lines.items()}
     rules |= dict(ink.circles())
     traces = figure(ink.seen, showing(rules), helping=False)
     strokes = [*traces.staying, *ink.mechanism()]
-    wanted = ink.letters()
+    wanted, arrows = ink.letters(), list[Wanted]()
     for mark, stretch in lines.items():
         for head, letter in ink.arrows(mark, stretch):
             strokes += head
-            near = [k for k in wanted if k.text == letter.text and abs(k.at - letter.at) < TOGETHER]
-            if not near:
-                wanted.append(letter)
+            arrows.append(letter)
+    wanted += letters_of_arrows(arrows)
     circled = link_numbers(ink.links, place, strokes, wanted, on.heights.number)
     strokes += [stroke for one in circled for stroke in one.strokes]
     found = traces.drawing(on, strokes, wanted, [one.label for one in circled])

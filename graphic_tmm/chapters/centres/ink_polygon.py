@@ -9,7 +9,7 @@ from collections.abc import Iterator, Sequence
 import shapely
 
 from graphic_tmm.chapters.centres.network import GUIDE, PIN, WHEEL
-from graphic_tmm.chapters.centres.plan import Centres
+from graphic_tmm.chapters.centres.record import Centres
 from graphic_tmm.paper.arithmetic import coordinates
 from graphic_tmm.paper.drawing import Drawing, Ink, Label, circle, line
 from graphic_tmm.paper.figure import added

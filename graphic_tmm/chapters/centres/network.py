@@ -35,6 +35,7 @@ from graphic_tmm.chapters.kinematics.plan import KinematicPlans
 from graphic_tmm.mechanism.records import Slide
 
 Pair = tuple[int, int]
+Course = Line | str | None
 SAME = 1e-9
 """Points no farther apart than this share of the mechanism are one; so much is the sine of parallel lines."""
 SQUARE = 0.5
@@ -90,6 +91,7 @@ class Network:
         self.places, self.size = list(places), size
         self.centres: dict[Pair, Centre] = {}
         self._lines: dict[frozenset[Mark], Mark] = {}
+        self._rays: dict[Mark, Mark] = {}
 
     def pair(self, first: int, second: int) -> Pair:
         """Return two links in the order of their letter: the frame stands behind, else the lesser before."""
@@ -146,7 +148,7 @@ class Network:
                 best = (*crossing, over)
         return best
 
-    def _course(self, i: int, k: int, j: int) -> Line | str | None:
+    def _course(self, i: int, k: int, j: int) -> Course:
         """Return the line through P_ik and P_kj in numbers; "infinity", or None where both are one."""
         first, second = self.centres[self.pair(i, k)], self.centres[self.pair(k, j)]
         p, q = self.values[first.mark], self.values[second.mark]
@@ -160,9 +162,7 @@ class Network:
             apart = np.abs(way) > SAME * self.size
             return Line(p, np.where(apart, way / np.abs(way), np.nan)) if apart.any() else None
 
-    def _crossing(
-        self, first: Line | str | None, second: Line | str | None
-    ) -> tuple[float, bool] | None:
+    def _crossing(self, first: Course, second: Course) -> tuple[float, bool] | None:
         """Return how squarely two lines cross, and whether they are parallel; None where they tell nothing."""
         if first is None or second is None or (isinstance(first, str) and isinstance(second, str)):
             return None
@@ -208,6 +208,13 @@ class Network:
             self._lines[key] = line
         return self._lines[key]
 
+    def ray(self, pole: Mark, image: Mark) -> Mark:
+        """Draw the line of a velocity on its plan, once."""
+        if image not in self._rays:
+            name = f"(p{image.name})"
+            self._rays[image] = self.draw(join, name, pole, image, why=why.VELOCITY)
+        return self._rays[image]
+
     def by_normals(
         self, link: int, points: Mapping[Mark, Mark], pole: Mark, *, turned: bool
     ) -> bool:
@@ -224,7 +231,7 @@ class Network:
         _, far, pair = max(found, default=(0.0, False, None), key=lambda k: k[0])
         if pair is not None:
             for k in pair:
-                ray = self.draw(join, f"(p{points[k].name})", pole, points[k], why=why.VELOCITY)
+                ray = self.ray(pole, points[k])
                 op = parallel if turned else square
                 lines.append(self.draw(op, f"(⊥v_{k.name})", k, ray, why=why.NORMAL))
             mark = lines[0]

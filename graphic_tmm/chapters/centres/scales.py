@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.doubt import Doubts
 from graphic_tmm.board.execute import Reading
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN, Centres
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.fitting.choice import usual_room
 from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, unscaled
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
 from graphic_tmm.paper.traced import value_at
+from graphic_tmm.paper.window import Window, about
 from graphic_tmm.project import Project
 from graphic_tmm.scene.records import Scene
 
@@ -29,43 +29,13 @@ _WHY = said(
 )
 
 
-class Room(NamedTuple):
-    """A rectangle, mm or m: its lower left and its upper right corner."""
-
-    low: complex
-    high: complex
-
-    def grown(self, by: float) -> Room:
-        """Return it wider to all sides."""
-        return Room(self.low - complex(by, by), self.high + complex(by, by))
-
-    def holds(self, spot: complex) -> bool:
-        """Whether a place lies in it."""
-        off, back = spot - self.low, self.high - spot
-        return min(off.real, off.imag, back.real, back.imag) >= 0.0
-
-    def part(self, at: complex, way: complex) -> tuple[float, float] | None:
-        """Return between which distances along a line it lies inside; None where it does not."""
-        corners = np.array([self.low, self.high]) - at
-        with np.errstate(divide="ignore", invalid="ignore"):
-            ends = np.sort([corners.real / way.real, corners.imag / way.imag], axis=1)
-        first, last = float(np.max(ends[:, 0])), float(np.min(ends[:, 1]))
-        return (first, last) if first < last else None
-
-
-def _about(spots: Sequence[complex]) -> Room:
-    x, y = (sorted(one) for one in zip(*((z.real, z.imag) for z in spots), strict=True))
-    return Room(complex(x[0], y[0]), complex(x[-1], y[-1]))
-
-
-def room(links: Sequence[complex], centres: Sequence[complex]) -> Room | None:
+def room(links: Sequence[complex], centres: Sequence[complex]) -> Window | None:
     """Return what part is drawn; None where the mechanism is not there."""
     there, others = ([z for z in spots if np.isfinite(z)] for spots in (links, centres))
     if not there:
         return None
-    size = _about(there).high - _about(there).low
-    near = _about(there).grown(NEAR * max(size.real, size.imag))
-    return _about([*there, *filter(near.holds, others)])
+    near = about(there).grown(NEAR * about(there).reach)
+    return about([*there, *filter(near.holds, others)])
 
 
 def spots(made: Centres, reading: Reading, place: int) -> tuple[list[complex], list[complex]]:
@@ -92,7 +62,7 @@ def reach(project: Project, doubts: Doubts) -> float:
     most = 0.0
     for place in made.places:
         if (found := room(*spots(made, reading, place))) is not None:
-            most = max(most, (found.high - found.low).real, (found.high - found.low).imag)
+            most = max(most, found.reach)
     return most
 
 

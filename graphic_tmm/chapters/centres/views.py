@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import combinations
 
-from graphic_tmm.board.record import Mark, segment_name
+from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import Scale
 from graphic_tmm.chapters.centres.ink import draw_scheme
 from graphic_tmm.chapters.centres.ink_polygon import draw_polygon
 from graphic_tmm.chapters.centres.network import LINES, PARALLEL, Centre
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres, PointSpeed, Rotation
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN, Centres, PointSpeed, Rotation
 from graphic_tmm.chapters.centres.task import CENTRES
 from graphic_tmm.chapters.centres.words import WAYS
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
@@ -126,7 +126,7 @@ def _turning(drawn: Drawn, made: Centres, one: Rotation, place: int) -> list[lis
     own, plan = (_figure(drawn, mark, place) for mark in (one.omega, one.plan))
     if one.alike:
         own *= KINEMATICS_PLAN.on(drawn).sense
-    found = [_cell(own, 4, drawn), _cell(abs(plan) if one.by_point else plan, 4, drawn), units]
+    found = [_cell(own, 4, drawn), _cell(plan, 4, drawn), units]
     lengths = " : ".join(_cell(_figure(drawn, k, place), 1, drawn) for k in one.ends) or NONE
     if one.ratio is None:
         return [[name, lengths, *found]]
@@ -155,8 +155,7 @@ SHOWN = Views(draw={CENTRES: centre_views})
 def figure_marks(project: Project) -> dict[tuple[str, str], Mark]:
     """Return the marks of ratios and velocities, by plan and the name that machines read."""
     made = CENTRES_PLAN.of(project)
-    marks = () if made is None else made.figures
-    return dict(((CENTRES, segment_name(mark.letter)), mark) for mark in marks)
+    return {(CENTRES, name): mark for name, mark in (made.figures if made is not None else ())}
 
 
 def crossings(project: Project) -> dict[Mark, tuple[Crossed, ...]]:

@@ -37,6 +37,7 @@ TWO_NORMALS = said("The link turns about the point in which the normals to two v
 IMAGE = said("The point of the link that stands has its image in the pole.")
 DIVIDED = said("The common centre lies on the line of both centres.")
 RADIUS = said("The distance from the centre, about which the link turns at this moment.")
+ALONG_VELOCITY = said("The point moves along its velocity, square to the radius from the centre.")
 TO_COMMON = said("A distance from the common centre, with its side.")
 
 WAYS = {

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphic_tmm.board.values import Complexes, Reals
-from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
+from graphic_tmm.chapters.centrodes.record import CENTRODES_PLAN, Centrodes
 from graphic_tmm.chapters.centrodes.scales import window_of
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

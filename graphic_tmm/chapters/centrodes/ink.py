@@ -13,7 +13,7 @@ from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.board.record import Construction, Step
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.centrodes import operations as o
-from graphic_tmm.chapters.centrodes.plan import Centrodes, Side
+from graphic_tmm.chapters.centrodes.record import Centrodes, Side
 from graphic_tmm.chapters.centrodes.scales import window_of
 from graphic_tmm.paper.clipping import points
 from graphic_tmm.paper.drawing import Bezier, Drawing, Ink, Wanted, arc, circle, line
@@ -53,7 +53,7 @@ class CentrodesInk(Seen):
     def straight(self, pen: str, start: complex, end: complex) -> Iterator[Ink]:
         """A straight line as far as it is shown."""
         part = self.window.segment(start, end) if finite(start, end) else None
-        if part is not None:
+        if part is not None and part[0] != part[1]:
             yield line(pen, *part)
 
     def branches(self, side: Side) -> list[tuple[complex, ...]]:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from graphic_tmm.board.formula import formula
 from graphic_tmm.board.geometry import degrees, unit
-from graphic_tmm.board.grammar import ANGLE, CURVE, READ, SLIDE, SUPPORT, operation
+from graphic_tmm.board.grammar import ANGLE, CURVE, READ, SUPPORT, operation
 from graphic_tmm.board.operations.curve import natural, neighbours, periodic
 from graphic_tmm.board.values import (
     Angle,
@@ -31,39 +30,6 @@ _CENTRODE = said(
 
 
 @operation(
-    symbol=SLIDE,
-    swings=True,
-    fails="the point stands still for a moment",
-    why=said("A point moves square to the line that joins it with the instantaneous centre."),
-)
-def velocity_normal(point: Point, tail: Point, head: Point) -> Line:
-    """Through {point} draw {it} square to the velocity {tail}{head}."""
-    along = _directed(head - tail)
-    return Line(point + 0.0 * along, 1j * along)
-
-
-@operation(
-    symbol=SLIDE,
-    swings=True,
-    fails="the point stands still for a moment",
-    why=said(
-        "The plan of velocities is turned by 90°: its vector lies along the line that joins the point with "
-        "the instantaneous centre."
-    ),
-)
-def turned_normal(point: Point, tail: Point, head: Point) -> Line:
-    """Through {point} draw {it} parallel to {tail}{head} of the turned plan."""
-    along = _directed(head - tail)
-    return Line(point + 0.0 * along, along)
-
-
-def _directed(vector: Complexes) -> Complexes:
-    """Return the direction of a vector, NaN of one without length."""
-    size = np.abs(vector)
-    return np.asarray(vector / np.where(size > 0.0, size, np.nan))
-
-
-@operation(
     symbol="6C1 + 2C3",
     why=said(
         "On a rigid link the point keeps its distances from {A} and {B}, and the side of {A}{B}."
@@ -72,11 +38,6 @@ def _directed(vector: Complexes) -> Complexes:
 def swing_over(first: Point, second: Point, A: Point, B: Point, P: Point) -> Point:
     """From {first} strike {A}{P}, from {second} {B}{P}; where the arcs meet, on the same side, mark {it}."""
     return Point(first + (second - first) * ((P - A) / (B - A)))
-
-
-@formula(why=said("Seen from a link that turns itself the other one turns by the difference."))
-def relative_rate(of: Number, on: Number) -> Number:
-    """{of} − {on}"""
 
 
 @operation(symbol=CURVE, across=True, why=_CENTRODE)

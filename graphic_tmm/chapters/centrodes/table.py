@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
+from graphic_tmm.chapters.centrodes.record import CENTRODES_PLAN, Centrodes
 from graphic_tmm.chapters.centrodes.task import CENTRODES
 from graphic_tmm.drawn import Drawn, Results, results_of
 from graphic_tmm.project import Project

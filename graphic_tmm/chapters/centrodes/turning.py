@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from functools import partial
 
 from graphic_tmm.chapters.centrodes.ink import CentrodesInk, draw_fixed
-from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN
+from graphic_tmm.chapters.centrodes.record import CENTRODES_PLAN
 from graphic_tmm.chapters.centrodes.table import link_columns
 from graphic_tmm.chapters.centrodes.task import CENTRODES
 from graphic_tmm.drawn import Drawn

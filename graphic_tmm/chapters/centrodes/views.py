@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.centrodes.ink import draw_centrodes
-from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
+from graphic_tmm.chapters.centrodes.record import CENTRODES_PLAN, Centrodes
 from graphic_tmm.chapters.centrodes.table import lengths, link_columns
 from graphic_tmm.chapters.centrodes.task import CENTRODES
 from graphic_tmm.drawn import Drawn

@@ -57,6 +57,12 @@ NORMAL_OF_PIN = said(
     "A pin that turns about a pivot moves square to the line that joins both: this is its normal."
 )
 NORMAL_OF_GUIDE = said("A point of a slider moves along its guide: its normal is square to that.")
+WAY = said("The velocity of the point, seen from what the link rolls on, lies along this line.")
+NORMAL = said("A point moves square to the line that joins it with the instantaneous centre.")
+TURNED = said(
+    "The plan of velocities is turned by 90°: its vector lies along the line that joins the point with the "
+    "instantaneous centre."
+)
 CENTRE = said("The instantaneous centre lies on the normals to the velocities of both points.")
 DISTANCE = said(
     "The pin goes evenly: the farther it is from the centre the slower the link turns, and past infinity the "

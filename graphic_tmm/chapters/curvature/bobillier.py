@@ -7,10 +7,8 @@ from typing import NamedTuple
 
 from graphic_tmm.board.operations.instruments import (
     incline,
-    join,
     lay_off,
     measure,
-    measure_along,
     meet,
     parallel,
     square,
@@ -22,9 +20,8 @@ from graphic_tmm.chapters.curvature import words as why
 from graphic_tmm.chapters.curvature.link_figure import Held, LinkFigure
 from graphic_tmm.chapters.kinematics.bodies import sliding_points
 from graphic_tmm.chapters.kinematics.drives.slider import Slider
-from graphic_tmm.chapters.kinematics.motion import component, image_letter, reading_of
-from graphic_tmm.chapters.kinematics.rows import path_radius
-from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, VELOCITIES
+from graphic_tmm.chapters.kinematics.motion import component, image_letter
+from graphic_tmm.chapters.kinematics.rows import path_radius, read_path
 
 
 class Path(NamedTuple):
@@ -91,22 +88,11 @@ def draw_path(figure: LinkFigure, letter: str, quarters: int) -> Path | None:
     assert velocities is not None
     assert gained is not None
     image, end = (one.images.by_letter[figure.number][letter] for one in (velocities, gained))
-    speed = reading_of(draft, velocities, image)
-    if speed is None:
+    read = read_path(draft, (velocities, gained), letter, (image, end), quarters)
+    if read is None:
         return None
-    small, pole = image_letter(letter), gained.images.pole
-    draft.open(VELOCITIES)
-    start = velocities.images.pole
-    way = draft.draw(join, f"(v_{{{letter}}})", start, image, free=True, why=why.WAY)
-    draft.open(ACCELERATIONS)
-    op, sense = (parallel, -quarters) if quarters else (square, 1)
-    along = draft.draw(
-        op, f"(n_{{{small}}})", pole, way, sense=sense, free=True, why=why.ALONG_NORMAL
-    )
-    part = draft.draw(
-        measure_along, f"n_{{{small}}}", pole, end, along, free=True, why=why.NORMAL_PART
-    )
-    component(draft, part, "n", small)
+    speed, along, part = read
+    component(draft, part, "n", image_letter(letter))
     at, name = figure.letters[letter], centre_letter(letter)
     radius = figure.put(
         path_radius, f"ρ_{{{letter}}}", speed, velocities.mu, part, gained.mu, unit="m"

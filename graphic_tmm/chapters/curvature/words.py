@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.curvature.task import BALL, BRESSE, CURVATURE
+from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
 
@@ -14,11 +15,15 @@ CAPTIONS: dict[str, str] = {
     "chapter curvature": said("Curvature of paths"),
 }
 
-WAY = said("The path lies along the velocity of its point.")
-ALONG_NORMAL = said("The normal acceleration is square to the velocity.")
-NORMAL_PART = said(
-    "The projection of the acceleration on the normal to the velocity is its normal part."
-)
+OFF = "curvature_off_"
+"""What the names of results begin with that tell how far radii by both ways are apart."""
+_APART = said("ρ by Bobillier off the plans, path of {point}")
+
+
+def _result(name: str, speech: Speech) -> str:
+    return speech(_APART, point=name.removeprefix(OFF)) if name.startswith(OFF) else ""
+
+
 NORMAL = said("The centre of curvature lies on the normal to the path.")
 GUIDED = said(
     "The path is straight: its centre of curvature is infinitely far, on the normal to the guide."
@@ -77,4 +82,6 @@ BALL_POINT = said(
     "corner on that line."
 )
 
-WORDS = Named(captions=CAPTIONS, plans=(CURVATURE, BRESSE, BALL), sources=("artobolevsky",))
+WORDS = Named(
+    captions=CAPTIONS, result=_result, plans=(CURVATURE, BRESSE, BALL), sources=("artobolevsky",)
+)

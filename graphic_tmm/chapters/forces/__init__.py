@@ -13,6 +13,13 @@ slides it is square to that guide, and the line for it is drawn through the corn
 links. The driving link is left with the reaction of the first group and the balancing force at the crank
 pin, or a balancing moment.
 
+A plate on three legs (class III, `special`) has three such legs. Where the lines of what holds two of them
+cross, in Assur's special point, neither has a moment; so moments of the whole group about it, the known
+parts of the reactions among them, give what holds the third leg along its line. Then the polygon lacks two
+vectors again, and closes. Each leg stands in it between what holds it and its loads: the side from there to
+there is what it does to the plate. The line of a leg that slides is square to its guide; what turns it about
+its pin the guide holds by a couple.
+
 Where the loads are given, that of the drive among them, and a force at a tool is sought, the lever comes
 first: its moment is that of all loads, reversed, and its arm the velocity of its point along it, so that one
 division gives it; as the arm of the crank pin is to its arm, so it is to the force there (mechanical

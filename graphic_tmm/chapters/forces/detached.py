@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Hashable, Iterable
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
@@ -147,7 +147,7 @@ class Detached:
         self.points: dict[Mark, Mark] = {}
         self.lines: dict[Mark, Mark] = {}
         self._lengths: dict[tuple[Mark, Mark], Mark] = {}
-        self._moments: dict[tuple[Mark, Mark], Mark] = {}
+        self._once: dict[Hashable, Mark] = {}
         for point in points:
             self.point(point)
 
@@ -203,12 +203,29 @@ class Detached:
             added, letter, first, second, unit="N·m", role=roles.SUM, why=because
         )
 
+    def own(self, point: Mark) -> Mark:
+        """Count a point that was found in the figure itself to its points; return it."""
+        return self.points.setdefault(point, point)
+
+    def arm(self, letter: str, about: Mark, line: Mark) -> Mark:
+        """Measure the arm of a line of the figure; one about a point found in the figure bears its letter."""
+        raised = f"^{{{about.letter[:1]}}}" if about.view == self.view else ""
+        name = f"h_{{{bare(letter)}}}{raised}"
+        return self.once(
+            ("arm", about, line), lambda: self.draft.draw(arm, name, self.point(about), line)
+        )
+
     def _moment(self, about: Mark, force: Force) -> Mark:
-        known = self._moments.get((about, force.line))
-        if known is None:
-            draft, line = self.draft, self.line(force)
-            height = draft.draw(arm, f"h_{{{bare(force.letter)}}}", self.point(about), line)
-            letter = f"M_{{{about.letter}}}({force.letter})"
-            known = draft.draw(moment, letter, force.value, height, self.mu, unit="N·m")
-            self._moments[about, force.line] = known
-        return known
+        draft, line = self.draft, self.line(force)
+
+        def turns() -> Mark:
+            uses = force.value, self.arm(force.letter, about, line), self.mu
+            return draft.draw(moment, f"M_{{{about.letter}}}({force.letter})", *uses, unit="N·m")
+
+        return self.once(("moment", about, force.line, force.value), turns)
+
+    def once(self, key: Hashable, draw: Callable[[], Mark]) -> Mark:
+        """Return what is drawn in the figure, drawn when it is first wanted."""
+        if key not in self._once:
+            self._once[key] = draw()
+        return self._once[key]

@@ -14,7 +14,8 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Side, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
-from graphic_tmm.chapters.forces.statics import Slope, Solved, links_of, reaction_of
+from graphic_tmm.chapters.forces.statics import Solved, reaction_of
+from graphic_tmm.chapters.forces.unknowns import Slope, links_of
 from graphic_tmm.chapters.forces.wheels import SolvedWheel
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair

@@ -20,12 +20,13 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Reaction
 from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.forces.statics import Slope, links_of
+from graphic_tmm.chapters.forces.statics import inner_pairs, inside
 from graphic_tmm.chapters.forces.task import Friction
+from graphic_tmm.chapters.forces.unknowns import Slope, links_of
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.closings import AnyClosing, Closing, GuideLeg, dyads
+from graphic_tmm.chapters.kinematics.closings import AnyClosing, GuideLeg, groups_of
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair, reach
-from graphic_tmm.chapters.kinematics.motion import Motion, known_image
+from graphic_tmm.chapters.kinematics.motion import Motion, known_image, pin_image
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking
@@ -41,7 +42,7 @@ class Joint(NamedTuple):
 
     pair: Pair
     links: tuple[int, int]
-    closing: Closing | None
+    closing: AnyClosing | None
     driven: DrivenPair | None = None
 
 
@@ -72,11 +73,11 @@ def joints(closings: tuple[AnyClosing, ...], pairs: Iterable[DrivenPair]) -> tup
     """Return all pairs of a mechanism; ``pairs``: its drives."""
     there = (one for one in pairs if not one.driven.telescopes)
     found = [Joint(one.pair, one.pair.links, None, one) for one in there]
-    for closing in dyads(closings, "forces"):
+    for closing in groups_of(closings, "forces"):
         for leg, own in zip(closing.legs, closing.group.legs, strict=True):
             found.append(Joint(own.pair, (links_of(leg)[0], leg.body), closing))
-        inside = links_of(closing.legs[1])[-1], links_of(closing.legs[0])[-1]
-        found.append(Joint(closing.group.inner, inside, closing))
+        for pair, (pushes, pushed) in zip(inner_pairs(closing), inside(closing), strict=True):
+            found.append(Joint(pair, (pushed, pushes), closing))
     return tuple(found)
 
 
@@ -207,8 +208,8 @@ class Rub:
         closing, plan = joint.closing, self.velocities
         if closing is not None:
             leg = guide_leg(joint)
-            own = plan.closed[closing.group.name]
-            return _Rubs(closing.point, leg.line, own, known_image(plan, closing, leg))
+            own = pin_image(plan, closing, leg)
+            return _Rubs(closing.pin(leg), leg.line, own, known_image(plan, closing, leg))
         assert joint.driven is not None
         _, pin = joint.driven.led(self.positions)
         under, own = plan.driven[joint.links[0]]

@@ -22,7 +22,7 @@ from graphic_tmm.chapters.forces.kinds import Along
 from graphic_tmm.chapters.forces.loads import VIEW, Couple, Force, Ground, Loads, point_of
 from graphic_tmm.chapters.forces.task import AGAINST, SAME_TIME, TURN, Load
 from graphic_tmm.chapters.forces.travel import by_travel, size_at_turn, size_in_row
-from graphic_tmm.chapters.kinematics.closings import dyads
+from graphic_tmm.chapters.kinematics.closings import two_legged
 from graphic_tmm.chapters.kinematics.motion import image_letter, is_signed, reading_of
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -141,7 +141,7 @@ def _opposite(ground: Ground, load: Load, given: Force | Couple) -> Iterator[For
 def _image_over(ground: Ground, link: int, point: Mark, letter: str) -> Mark:
     """Return the image of the point of a link that lies under a point of another one."""
     plan, draft = ground.velocities, ground.draft
-    for closing in dyads(ground.positions.closings, VIEW):
+    for closing in two_legged(ground.positions.closings, VIEW):
         if closing.point == point and closing.legs[1].link == link:
             return plan.closed[closing.group.name]
     draft.open(plan.images.pole.view)

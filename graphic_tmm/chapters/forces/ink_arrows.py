@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -207,22 +207,26 @@ def drawn_arm(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         yield line("thin", about, foot)._replace(data=data, title=f"{name} = {mm:.1f} mm")
 
 
-def drawn_on(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-    """A line of action, drawn on from the force to behind the foot of its arm."""
+def drawn_on(seen: Seen, step: Step, k: int, but: Container[Mark] = frozenset()) -> Iterator[Ink]:
+    """A line of action, drawn on from the force to behind the foot of its arm; about no point of ``but``."""
     at, along = seen.line(step.it, k)
     for use in seen.uses.get(step.it, ()):
-        if use.it.kind is Length:
+        if use.it.kind is Length and use.uses[0] not in but:
             _, _, foot = action(seen, use, k)
             reach = ((foot - at) * along.conjugate()).real
             if finite(foot) and along != 0 and abs(reach) >= LEAST:
                 yield line("thin", at, foot + along * signed(FURTHER, reach))
 
 
-def arm_shows(seen: Seen, step: Step, k: int) -> bool:
-    """Whether an arm, or the line of action that one was measured to, stays: it stands in an equation."""
+def arm_shows(seen: Seen, step: Step, k: int, but: Container[Mark] = frozenset()) -> bool:
+    """Whether an arm, or the line of action that one was measured to, stays: it stands in an equation.
+
+    None about the points of ``but`` does.
+    """
     if step.it.kind is Line:
-        return any(arm_shows(seen, use, k) for use in seen.uses.get(step.it, ()) if _is_arm(use))
-    return abs(seen.number(step.it, k)) >= ARM
+        arms = (use for use in seen.uses.get(step.it, ()) if _is_arm(use))
+        return any(arm_shows(seen, use, k, but) for use in arms)
+    return step.uses[0] not in but and abs(seen.number(step.it, k)) >= ARM
 
 
 def _is_arm(step: Step) -> bool:

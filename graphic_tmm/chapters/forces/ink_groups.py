@@ -9,12 +9,12 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Container, Iterator, Mapping, Sequence
-from functools import cached_property
+from functools import cached_property, partial
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
-from graphic_tmm.board.operations.instruments import lay_off, parallel
-from graphic_tmm.board.operations.statics import action, arm
+from graphic_tmm.board.operations.instruments import lay_off, parallel, square
+from graphic_tmm.board.operations.statics import action, arm, at_friction_angle
 from graphic_tmm.board.record import Figure, Mark, Step
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.forces.detached import Detached
@@ -35,12 +35,14 @@ from graphic_tmm.chapters.forces.ink_arrows import action as acting
 from graphic_tmm.chapters.forces.ink_polygons import bar
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.loads import Couple, Force
+from graphic_tmm.chapters.forces.special import Special
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.language.numbers import fixed
 from graphic_tmm.language.symbols import symbol
 from graphic_tmm.paper.arithmetic import larger, signed
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, Wanted, circle, line
 from graphic_tmm.paper.figure import Manner, figure
+from graphic_tmm.paper.labels import Named, lettered, shared
 from graphic_tmm.paper.lettering.markup import markup
 from graphic_tmm.paper.seen import Seen, Subject, finite
 
@@ -50,6 +52,8 @@ TOUCH, STEP = 14.0, 3.5
 """Half of what is drawn of a line that touches a circle of friction, mm; between two couples about a pin."""
 ASIDE = cmath.exp(-2j * math.pi / 3)
 """By how much the letter of the next couple about a pin is turned, so that they are told apart."""
+SPOT = 0.8
+"""Radius of the sign of a special point, mm."""
 SHOWN = 18.0
 """Length of the arrow of a reaction that is not known yet, mm."""
 
@@ -87,7 +91,7 @@ class GroupFigure(NamedTuple):
     """What a figure shows: its links, forces and couples on them, reactions.
 
     ``rubbed``: friction in its pins. ``balance``: of the driving link, the line and
-    the arm of the force that balances it.
+    the arm of the force that balances it. ``special``: of a plate on three legs, what its special point gives.
     """
 
     figure: Detached
@@ -97,6 +101,21 @@ class GroupFigure(NamedTuple):
     reactions: Sequence[Reactive]
     rubbed: Sequence[Rubbed] = ()
     balance: tuple[Mark, Mark] | None = None
+    special: Special | None = None
+
+    @property
+    def lines(self) -> set[Mark | None]:
+        """The lines of the figure whose arms are measured."""
+        found = {self.figure.lines.get(force.line) for force in self.forces}
+        if self.special is not None:
+            found |= {self.special.line, *(force.line for force in self.special.forces)}
+        return found
+
+    @property
+    def earlier(self) -> set[Mark]:
+        """The special points of earlier passes of friction."""
+        own = {mark for mark, at in self.figure.points.items() if mark == at}
+        return own - {self.special.point} if self.special is not None else own
 
 
 def draw_group(
@@ -118,15 +137,18 @@ def draw_group(
     rules = {
         op: _nothing for op in dict.fromkeys(s.op.name for s in seen.steps) if _drawn(op, seen)
     }
-    rules |= {arm.name: drawn_arm, parallel.name: drawn_on, action.name: drawn_on}
+    earlier = shown.earlier
+    on_to_arms = partial(drawn_on, but=earlier)
+    drawn_to_arms = (parallel, action, square, at_friction_angle)
+    rules |= {arm.name: drawn_arm, **{op.name: on_to_arms for op in drawn_to_arms}}
 
     # of the passes of friction the last one stays
-    lines = {shown.figure.lines.get(force.line) for force in shown.forces}
+    lines = shown.lines
 
     def stays(seen: Seen, step: Step) -> bool:
         if step.it.kind is Point or not {step.it, *step.uses} & lines:
             return False
-        return arm_shows(seen, step, index)
+        return arm_shows(seen, step, index, earlier)
 
     traces = figure(seen, Manner(rules, stays), helping=helping)
     times = seen.number(mu_l, index) / seen.number(shown.figure.mu, index)
@@ -143,14 +165,37 @@ def draw_group(
     circles = [*loads.friction(bodies.middle)]
     above = _Above(on, shown, index)
     displaced = loads.displaced(above, times, decimals)
-    strokes = (*links, *circles, *loads.arrows.strokes, *displaced, *traces.staying)
+    crossing = [*_crossing(seen, shown.special, index)]
+    strokes = (*links, *circles, *loads.arrows.strokes, *displaced, *traces.staying, *crossing)
     if helping:
         drawn = (*strokes, *traces.rubbed)
         traces.rubbed += (*pricks(seen, drawn, index), *pricks(above, drawn, index, times))
     arms = loads.arms(lines, decimals)
-    wanted = (*bodies.letters(on.heights), *loads.arrows.wanted, *arms, *loads.offs)
+    letters = [*bodies.letters(on.heights), *_lettered(seen, shown.special, index, on)]
+    wanted = (*letters, *loads.arrows.wanted, *arms, *loads.offs)
     found = traces.drawing(on, strokes, wanted)
     return found._replace(shows=(view, LOADS), role=roles.DETACHED, position=index)
+
+
+def _crossing(seen: Seen, special: Special | None, k: int) -> Iterator[Ink]:
+    """The special point of a plate, and the lines of both legs as far as it."""
+    if special is None:
+        return
+    at = seen.point(special.point, k)
+    for along in special.lines:
+        start, _ = seen.line(along, k)
+        if finite(start, at) and abs(at - start) >= LEAST:
+            yield line("thin", start, at)._replace(of=(along.slot, special.point.slot), position=k)
+    if finite(at):
+        yield circle("thin", at, SPOT)._replace(of=(special.point.slot,), position=k)
+
+
+def _lettered(seen: Seen, special: Special | None, k: int, on: Subject) -> list[Wanted]:
+    """The letter of the special point."""
+    if special is None or not finite(at := seen.point(special.point, k)):
+        return []
+    called = markup(symbol(special.point.name, on.language))
+    return lettered(shared([Named(at, called, (special.point.slot,), k)]), on.heights.point, SPOT)
 
 
 def _drawn(op: str, seen: Seen) -> bool:
@@ -301,7 +346,7 @@ class _Loads:
         for step in self.seen.steps:
             if step.op is not arm or step.uses[1] not in lines:
                 continue
-            if arm_shows(self.seen, step, self.index):
+            if arm_shows(self.seen, step, self.index, self.shown.earlier):
                 about, _, foot = acting(self.seen, step, self.index)
                 mm = abs(self.seen.number(step.it, self.index))
                 text = f"{markup(self.called(step.it.name))} = {fixed(mm, decimals, self.language)}"

@@ -32,10 +32,11 @@ from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.by_drive import ByDrive
-from graphic_tmm.chapters.kinematics.closings import PinLeg, legs_of
+from graphic_tmm.chapters.kinematics.closings import PinLeg, PlateClosing, legs_of
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
-from graphic_tmm.chapters.kinematics.motion import Motion, pivot_image
+from graphic_tmm.chapters.kinematics.motion import Motion, pin_image, pivot_image
+from graphic_tmm.chapters.kinematics.special_point import special_point
 
 VIEW = "lever"
 
@@ -69,7 +70,8 @@ class Lever(NamedTuple):
     """The lever of a drive: its pole, how much larger than the plan it is, its μ_v, images by link, forces.
 
     ``balance``: N at the crank pin, or N·m; ``moments``: of all loads, ``total``: their sum (N·mm), ``force``:
-    what at the crank pin balances it (N); ``segment``: of the crank pin, as read (Length).
+    what at the crank pin balances it (N); ``segment``: of the crank pin, as read (Length). ``loads``: what is
+    carried onto it, as it acts on the links.
     """
 
     pole: Mark
@@ -84,6 +86,7 @@ class Lever(NamedTuple):
     couples: tuple[Converted, ...]
     total: Mark
     force: Mark
+    loads: tuple[list[Force], list[Couple]]
 
 
 class _Plan:
@@ -218,7 +221,9 @@ def draw_lever(
     }
     found = (images, tuple(plan.forces), tuple(plan.moments))
     told = (tuple(plan.couples), balance.total, balance.force)
-    return Lever(plan.pole, plan.times, mu, *found, balance.asked, end, segment, *told)
+    return Lever(
+        plan.pole, plan.times, mu, *found, balance.asked, end, segment, *told, loads=loads
+    )  # fmt: skip
 
 
 class _Balance(NamedTuple):
@@ -283,7 +288,12 @@ def _base(
     for closing, leg in legs_of(positions.closings, VIEW):
         if isinstance(leg, PinLeg) and velocities.rates.get(leg.link) == rate:
             start = velocities.ends.get(leg.link) or pivot_image(velocities, leg)
-            end = velocities.closed[closing.group.name]
+            end = pin_image(velocities, closing, leg)
             segment = velocities.readings[leg.link]
+            return _Base(segment, leg.length, start, end, leg.line, sense)
+    for plate in positions.closings:
+        if isinstance(plate, PlateClosing) and rate == velocities.rates.get(plate.group.plate):
+            leg, segment = special_point(draft, plate).leg, velocities.readings[plate.group.plate]
+            start, end, _ = draft.uses(segment)
             return _Base(segment, leg.length, start, end, leg.line, sense)
     return None

@@ -13,6 +13,7 @@ from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.note_sums import Kept, applied, sums
 from graphic_tmm.chapters.forces.plan import Forces
+from graphic_tmm.chapters.forces.statics import Solved, last_legs
 from graphic_tmm.chapters.forces.table import ADVANTAGE, TOOL, names_of
 from graphic_tmm.chapters.forces.views import (
     EXACTLY,
@@ -21,6 +22,7 @@ from graphic_tmm.chapters.forces.views import (
     lever_views,
     vectors_of,
 )
+from graphic_tmm.chapters.forces.wheels import SolvedWheel
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.language.numbers import decimals_of
 from graphic_tmm.language.said import said
@@ -35,6 +37,10 @@ from graphic_tmm.paper.drawing import Drawing
 from graphic_tmm.paper.seen import Seen
 
 MOMENTS = said("Equilibrium of moments:")
+SPECIAL = said(
+    "What holds legs {first} and {second} along their lines passes through the special point {point}: about it "
+    "only what holds the third leg is unknown."
+)
 CLOSED = said("Equilibrium of forces; the polygon closes where the lines of the unknown ones meet:")
 IDLE = said("All forces are zero: there is no polygon.")
 WORKED = said("The calculation is worked in full for position {position}.")
@@ -107,7 +113,7 @@ class ForcePage(Page[Forces]):
         yield from self.view(LOADS)
         for solved in made.groups:
             rows = group_rows(self.writer, made, solved)
-            yield from self._detached(solved.polygon, rows)
+            yield from self._detached(solved.polygon, rows, tuple(self._special(solved)))
         for driven in made.driven:
             if driven.alone is not None:
                 rows = driver_rows(self.writer, made, driven)
@@ -120,8 +126,22 @@ class ForcePage(Page[Forces]):
         """Return figures of the position."""
         return self.figures(*(f"{name}-{self.position}" for name in names))
 
-    def _detached(self, polygon: Polygon, rows: Iterator[object]) -> Iterator[Block]:
-        """Yield what is told of a group or of the driving link: its figure, its moments, its polygon."""
+    def _special(self, solved: Solved | SolvedWheel) -> Iterator[Block]:
+        """Yield why moments of a plate are taken about its special point too."""
+        if isinstance(solved, SolvedWheel) or solved.special is None:
+            return
+        point, told = solved.special.point, self.of(solved.special.point.view)
+        if told is not None:
+            first, second = (str(leg.link) for leg in last_legs(solved.closing))
+            yield self.says(SPECIAL, first=first, second=second, point=told.symbol(point))
+
+    def _detached(
+        self, polygon: Polygon, rows: Iterator[object], more: tuple[Block, ...] = ()
+    ) -> Iterator[Block]:
+        """Yield what is told of a group or of the driving link: its figure, its moments, its polygon.
+
+        ``more``: what is told before its moments.
+        """
         name = polygon.of.name
         title = called(f"group {name}", self.speech)
         yield heading(title)
@@ -131,6 +151,7 @@ class ForcePage(Page[Forces]):
         told = (found,) if scaled and found is not None else ()
         blocks = list(shown_and_listed(told, polygon.view, title, self.language, shown))
         yield from blocks[:1]
+        yield from more
         yield from self._moments(rows)
         yield self.says(CLOSED if scaled else IDLE)
         if scaled:

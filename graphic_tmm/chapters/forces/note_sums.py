@@ -9,7 +9,7 @@ from graphic_tmm.board.formula_text import Node
 from graphic_tmm.board.operations.statics import on_lever
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length
-from graphic_tmm.chapters.forces.ink_balances import Sought, Sum, Term, Writer
+from graphic_tmm.chapters.forces.ink_writer import Sought, Sum, Term, Writer
 from graphic_tmm.chapters.forces.lever import Carried, Lever
 from graphic_tmm.chapters.forces.plan import Forces
 from graphic_tmm.chapters.forces.tool import Tool

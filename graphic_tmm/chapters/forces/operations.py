@@ -6,6 +6,9 @@ from graphic_tmm.board.formula import formula
 from graphic_tmm.board.values import Angle, Length, Number
 from graphic_tmm.language.said import said
 
+_NO_ARM = (
+    "the lines of the three legs meet in one point, or are parallel: nothing holds the plate there"
+)
 _NO_RADIUS = "the pitch radius is too short to be measured at this scale"
 _NO_WAY = (
     "the point of the unknown force does not move along it: no force there balances the others"
@@ -107,3 +110,14 @@ def tooth_inwards(across: Number, alpha: Angle) -> Number:
 )
 def tooth_outwards(across: Number, alpha: Angle) -> Number:
     """|{across}|·tan {alpha}"""
+
+
+@formula(
+    fails=_NO_ARM,
+    why=said(
+        "What holds the two legs that cross in the special point has no moment about it, so what holds the "
+        "third one along its line has the moment that all others leave open."
+    ),
+)
+def along_third(moment_: Number, arm_: Length, mu_l: Number) -> Number:
+    """−{moment_}/({arm_}·{mu_l})"""

@@ -18,6 +18,7 @@ from graphic_tmm.board.roles import DETACHED, FORCE_POLYGON
 from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import friction, loads
 from graphic_tmm.chapters.forces import words as why
+from graphic_tmm.chapters.forces.cut_free import Figures
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.driving import Alone, Driven, Place, RodForce, solve_drives
 from graphic_tmm.chapters.forces.friction import Joint, Rub, Rubbing, joints
@@ -35,7 +36,6 @@ from graphic_tmm.chapters.forces.wheels import (
 )
 from graphic_tmm.chapters.indicator.plan import INDICATOR_PLAN, Cylinder
 from graphic_tmm.chapters.kinematics.bodies import Meshed
-from graphic_tmm.chapters.kinematics.closings import Closing, dyads
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
@@ -159,39 +159,6 @@ def _ground(bench: Bench, plans: KinematicPlans) -> Ground:
     )
 
 
-class _Figures:
-    """The figures in which links are detached, each begun with all its points when it is first wanted."""
-
-    def __init__(self, ground: Ground) -> None:
-        self.draft, self.bodies = ground.draft, ground.positions.bodies
-        alone = (pair.link for pair in ground.pairs if not pair.driven.telescopes)
-        self.links: dict[int, tuple[int, ...]] = {link: (link,) for link in alone}
-        self.closing: dict[int, Mark] = {}
-        self.known: dict[tuple[int, ...], Detached] = {}
-        self.pitches: dict[int, list[Mark]] = {}
-        for wheel in ground.positions.wheels:
-            self.links[wheel.leg.link] = (wheel.leg.link,)
-            for link, end in ((wheel.leg.link, wheel.pitch), (wheel.rolling.on, wheel.far)):
-                self.pitches.setdefault(link, []).append(end)
-        self.notes = {one.leg.link: one.rolling.note for one in ground.positions.wheels}
-        for closing in dyads(ground.positions.closings, FORCES):
-            for link in (*closing.group.links, *closing.group.rods):
-                self.links[link], self.closing[link] = closing.group.links, closing.point
-
-    def of(self, link: int) -> Detached:
-        """Return the figure that shows a link."""
-        links = self.links[link]
-        if links not in self.known:
-            members = [number for number, own in self.links.items() if own == links]
-            points = [mark for number in members for mark in self.bodies[number].marks.values()]
-            more = [self.closing[link]] if link in self.closing else []
-            name = Solution(links).name
-            note = f"II({name})" if more else self.notes.get(link, f"I({name})")
-            more += [pitch for number in members for pitch in self.pitches.get(number, [])]
-            self.known[links] = Detached(self.draft, links, note, (*points, *more))
-        return self.known[links]
-
-
 class _Pass(NamedTuple):
     groups: tuple[Solved | SolvedWheel, ...]
     driven: tuple[Driven, ...]
@@ -214,7 +181,7 @@ def draw_forces(ground: Ground, order: ForcesTask, gas: Cylinder | None = None) 
         levers = draw_levers(ground, order, loads.on_lever, loads.couples_on_lever)
         tool = draw_tool(ground, sought, levers[0])
         acting = replace(loads, forces=[*loads.forces, tool.force])
-    figures = _Figures(ground)
+    figures = Figures(ground)
     friction = order.friction
     count = friction.passes if friction is not None else 0
     found = joints(ground.positions.closings, ground.pairs)
@@ -288,7 +255,7 @@ def _solve(
     order: ForcesTask,
     loads: Loads,
     rubbing: Rubbing,
-    figures: _Figures,
+    figures: Figures,
     tried: int | None,
 ) -> _Pass:
     acting = Acting()
@@ -305,7 +272,6 @@ def _solve(
             hand_on_wheel(wheel, acting, frame, figures.of)
             groups.append(wheel)
             continue
-        assert isinstance(closing, Closing)
         solved = solve_group(
             figures.of(closing.legs[0].link),
             closing,
@@ -341,8 +307,7 @@ def _by_joint(found: tuple[Joint, ...], done: _Pass) -> dict[tuple[int, int, str
         else:
             solved = (group for group in done.groups if isinstance(group, Solved))
             group = next(one for one in solved if one.closing is joint.closing)
-            pairs = [own.pair for own in joint.closing.group.legs] + [joint.closing.group.inner]
-            reaction = group.reactions[pairs.index(joint.pair)]
+            reaction = group.reactions[group.pairs.index(joint.pair)]
         made[(*joint.links, joint.pair.name)] = reaction
     return made
 

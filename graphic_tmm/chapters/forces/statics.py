@@ -2,119 +2,138 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Container
+from collections.abc import Callable
 from typing import NamedTuple
 
-from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.formulas import in_si
-from graphic_tmm.board.operations.instruments import measure, measure_along, meet, parallel, square
-from graphic_tmm.board.operations.statics import (
-    at_friction_angle,
-    place_of,
-    tangential,
-)
+from graphic_tmm.board.operations.instruments import measure, measure_along, meet, square
+from graphic_tmm.board.operations.statics import place_of, tangential
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Chain, Detached, Pair, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
+from graphic_tmm.chapters.forces.special import Special, solve_third
+from graphic_tmm.chapters.forces.unknowns import (
+    Slopes,
+    Tangent,
+    closing_letter,
+    links_of,
+    unknown_line,
+)
 from graphic_tmm.chapters.kinematics.closings import (
+    AnyClosing,
     Closing,
     ClosingLeg,
     GuideLeg,
     PinLeg,
-    unheld,
 )
-
-
-class Slope(NamedTuple):
-    """How a sliding pair's reaction leans off the normal: f, the normal part in the pass before, the speed.
-
-    ``normal`` and ``segment`` are those of the first link of the pair against the second; ``pin``: the crank
-    pin's speed on the same plan.
-    """
-
-    f: Mark
-    normal: Mark
-    segment: Mark
-    pin: Mark
+from graphic_tmm.mechanism.groups import Pair as KinematicPair
 
 
 class Solved(NamedTuple):
     """A group as solved: its reactions (outer ones by leg, then the inner), its polygon.
 
-    ``turning``: the sum of moments about the closing point that the outer pair of a link has to balance;
+    ``turning``: the sum of moments about its inner pin that the outer pair of a link has to balance;
     ``tangents``: by link, the component of the outer reaction that does (N) and its arm (Length). ``figure``:
     the group as detached. ``rods``: by rod, the ends of the vector whose part along it drives it out.
+    ``special``: of a plate on three legs, what moments about its special point give.
     """
 
-    closing: Closing
-    reactions: tuple[Reaction, Reaction, Reaction]
+    closing: AnyClosing
+    reactions: tuple[Reaction, ...]
     polygon: Polygon
     turning: dict[int, Mark | None]
     tangents: dict[int, Tangent]
     figure: Detached
     rods: dict[int, tuple[Mark, Mark]]
+    special: Special | None = None
+
+    @property
+    def pairs(self) -> tuple[KinematicPair, ...]:
+        """The pairs in which its reactions act, in their order."""
+        return (*(leg.pair for leg in self.closing.group.legs), *inner_pairs(self.closing))
 
 
-class Tangent(NamedTuple):
-    """A tangential component: its letter, its value (N), its arm about the closing point (Length).
+def inner_pairs(closing: AnyClosing) -> tuple[KinematicPair, ...]:
+    """Return the inner pairs of a group: that of both links, or of a plate with each of its legs."""
+    return (closing.group.inner,) if isinstance(closing, Closing) else closing.group.inner
 
-    ``side``: the ends of its side of the polygon.
+
+def inside(closing: AnyClosing) -> tuple[Pair, ...]:
+    """Return the links that its inner pairs join: in each the one that pushes, and the one that is pushed."""
+    ends = [links_of(leg)[-1] for leg in closing.legs]
+    if isinstance(closing, Closing):
+        return ((ends[0], ends[1]),)
+    return tuple((end, closing.group.plate) for end in ends)
+
+
+def last_legs(closing: AnyClosing) -> tuple[ClosingLeg, ClosingLeg]:
+    """Return the legs whose unknown sides close a polygon: that of the first leg is its last."""
+    return closing.legs if isinstance(closing, Closing) else closing.crossing
+
+
+class _Stands(NamedTuple):
+    """Where a leg stands in a polygon: vectors of what holds it, and of what it does to what it carries.
+
+    ``half``: where the loads of its outer link end.
     """
 
-    letter: str
-    value: Mark
-    arm: Mark
-    side: tuple[Mark, Mark] | None = None
+    outer: tuple[Mark, Mark]
+    inner: tuple[Mark, Mark]
+    half: Mark
 
 
 def solve_group(
     figure: Detached,
-    closing: Closing,
+    closing: AnyClosing,
     acting: Acting,
     of: Solution,
-    slopes: dict[Pair, Slope],
+    slopes: Slopes,
     *,
     rough: bool,
 ) -> Solved:
-    """Solve a group.
+    """Solve a group: of two links, or a plate on three legs, of which the third stands beside its loads.
 
-    ``slopes``: friction along guides by pair (link, body); of the inner guide by (link 3, link 2).
     ``rough``: friction is called for, so the normal parts of sliding pairs are wanted.
     """
-    first, second = closing.legs
+    first, second = last_legs(closing)
     draft = figure.draft
     draft.open(figure.view)
     turning: dict[int, Mark | None] = {}
     for leg in closing.legs:
-        links = summed_links(closing, leg)
-        turning[leg.link] = _moments_of(figure, closing, acting, links, f"ΣM_{leg.link}")
+        turning[leg.link] = _moments_of(figure, closing, acting, leg, f"ΣM_{leg.link}")
     tangents = _tangents(figure, closing, turning)
+    special = None
+    if not isinstance(closing, Closing):
+        special = solve_third(figure, closing, acting, slopes, turning, tangents)
     chain = of.begin(draft)
     start = chain.end
-    if first.link in tangents and isinstance(first, PinLeg):
-        tangents[first.link] = _across(chain, first, tangents[first.link])
+    _across(chain, first, tangents)
     loads = chain.end
     halves = [_lay_loads(chain, acting, links_of(first))]
     middle = chain.end
+    found = dict[int, _Stands]()
+    if not isinstance(closing, Closing) and special is not None:
+        _lay_loads(chain, acting, (closing.group.plate,))
+        found[closing.third.link], special = _third(chain, acting, closing.third, tangents, special)
+    behind = chain.end
     halves.append(_lay_loads(chain, acting, links_of(second)[::-1]))
     loaded = chain.end
-    if second.link in tangents and isinstance(second, PinLeg):
-        tangents[second.link] = _across(chain, second, tangents[second.link])
+    _across(chain, second, tangents)
     held = isinstance(first, GuideLeg) and first.inner
     lines = [
-        _unknown(draft, first, middle if held else start, slopes, tangents),
-        _unknown(draft, second, chain.end, slopes, tangents),
+        unknown_line(draft, first, middle if held else start, slopes, tangents),
+        unknown_line(draft, second, chain.end, slopes, tangents),
     ]
     top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0], why=why.POLYGON_CLOSES)
-    corners = _Corners(start, loads, middle, loaded, chain.end, top)
-    solved = _read(figure, closing, chain, corners, (turning, tangents), rough=rough)
-    return solved._replace(rods=_rods(closing, halves, top))
-
-
-def links_of(leg: ClosingLeg) -> tuple[int, ...]:
-    """Return the links of a leg, from what holds it to the closing point: a cylinder and its rod are two."""
-    return leg.links if isinstance(leg, PinLeg) else (leg.link,)
+    found[first.link] = _Stands((top, loads), (top, middle), halves[0])
+    found[second.link] = _Stands((loaded, top), (behind, top), halves[1])
+    letters = [closing_letter(leg, tangents) for leg in (first, second)]
+    sides = (*chain.sides, (letters[1], chain.end, top), (letters[0], top, start))
+    reactions = _read(figure, closing, found, turning, rough=rough)
+    drawn = Polygon(figure.of, chain.mu, sides)
+    rods = _rods(closing, found, second)
+    return Solved(closing, reactions, drawn, turning, tangents, figure, rods, special)
 
 
 def _lay_loads(chain: Chain, acting: Acting, links: tuple[int, ...]) -> Mark:
@@ -127,41 +146,66 @@ def _lay_loads(chain: Chain, acting: Acting, links: tuple[int, ...]) -> Mark:
     return ends[0]
 
 
-def _rods(closing: Closing, halves: list[Mark], top: Mark) -> dict[int, tuple[Mark, Mark]]:
+def _third(
+    chain: Chain,
+    acting: Acting,
+    leg: ClosingLeg,
+    tangents: dict[int, Tangent],
+    special: Special,
+) -> tuple[_Stands, Special]:
+    """Lay off what holds the third leg of a plate, and its loads behind."""
+    start = chain.end
+    _across(chain, leg, tangents)
+    corner, third = chain.end, special.third
+    chain.add(third.letter, special.line, third.value)
+    held = chain.end
+    half = _lay_loads(chain, acting, links_of(leg))
+    special = special._replace(third=third._replace(side=(corner, held)))
+    return _Stands((start, held), (start, chain.end), half), special
+
+
+def _rods(
+    closing: AnyClosing, found: dict[int, _Stands], second: ClosingLeg
+) -> dict[int, tuple[Mark, Mark]]:
     """Return, by rod, ends of the vector whose part along the leg is the force that drives it out.
 
-    It goes against what else acts on the rod. In the polygon the loads of the link at the closing point stand
-    beside its reaction, those of the other one beside the reaction of what holds the leg.
+    It goes against what else acts on the rod. In the polygon the loads of the link at the inner pin stand
+    beside what the leg carries, those of the other one beside the reaction of what holds the leg.
     """
-    found = {}
-    for k, (leg, half) in enumerate(zip(closing.legs, halves, strict=True)):
+    rods = {}
+    for leg in closing.legs:
         if isinstance(leg, PinLeg) and leg.rod:
-            found[leg.rod] = (top, half) if k == 0 else (half, top)
-    return found
+            stands = found[leg.link]
+            behind = leg == second
+            rods[leg.rod] = (
+                (stands.half, stands.outer[1]) if behind else (stands.outer[0], stands.half)
+            )
+    return rods
 
 
-def summed_links(closing: Closing, leg: ClosingLeg) -> tuple[int, ...]:
-    """Return the links whose moments about the closing point the outer pair of a leg has to balance.
+def summed_links(closing: AnyClosing, leg: ClosingLeg) -> tuple[int, ...]:
+    """Return the links whose moments about its inner pin the outer pair of a leg has to balance.
 
     Through an inner sliding pair they are passed on, so that it balances those of both links.
     """
-    first, second = closing.legs
     held = isinstance(leg, GuideLeg) and leg.inner
-    if closing.group.inner.kind == "P" and not held:
+    if isinstance(closing, Closing) and closing.group.inner.kind == "P" and not held:
+        first, second = closing.legs
         return first.link, second.link
     return links_of(leg)
 
 
 def _moments_of(
-    figure: Detached, closing: Closing, acting: Acting, links: tuple[int, ...], letter: str
+    figure: Detached, closing: AnyClosing, acting: Acting, leg: ClosingLeg, letter: str
 ) -> Mark | None:
+    links = summed_links(closing, leg)
     forces = [force for link in links for force in acting.forces.get(link, [])]
     couples = [couple for link in links for couple in acting.couples.get(link, [])]
-    return figure.sum(closing.point, forces, couples, letter)
+    return figure.sum(closing.pin(leg), forces, couples, letter)
 
 
 def _tangents(
-    figure: Detached, closing: Closing, turning: dict[int, Mark | None]
+    figure: Detached, closing: AnyClosing, turning: dict[int, Mark | None]
 ) -> dict[int, Tangent]:
     """Calculate the tangential components of the turning legs, where there is a moment to balance."""
     found = {}
@@ -169,94 +213,42 @@ def _tangents(
         total = turning[leg.link]
         if isinstance(leg, PinLeg) and total is not None:
             letter = f"R_{{{leg.body}{links_of(leg)[0]}}}^{{t}}"
-            reach = figure.length(leg.pivot, closing.point)
+            reach = figure.length(leg.pivot, closing.pin(leg))
             uses = (total, reach, figure.mu)
             value = figure.draft.draw(tangential, letter, *uses, unit="N")
             found[leg.link] = Tangent(letter, value, reach)
     return found
 
 
-def _across(chain: Chain, leg: PinLeg, found: Tangent) -> Tangent:
-    """Lay a tangential component off: square to its leg."""
-    start = chain.end
-    chain.add_across(found.letter, leg.line, found.value)
-    return found._replace(side=(start, chain.end))
-
-
-class _Corners(NamedTuple):
-    """Vertices of a polygon: its beginning, before, between and behind the loads, its end, where lines met."""
-
-    start: Mark
-    loads: Mark
-    middle: Mark
-    loaded: Mark
-    end: Mark
-    top: Mark
-
-
-def _closing(leg: ClosingLeg, tangents: Container[int]) -> str:
-    """Return the letter of the side of a leg that closes a polygon; beside a tangential one it is normal."""
-    return f"R_{{{leg.body}{links_of(leg)[0]}}}" + ("^{n}" if leg.link in tangents else "")
-
-
-def _unknown(
-    draft: Draft,
-    leg: ClosingLeg,
-    through: Mark,
-    slopes: dict[Pair, Slope],
-    tangents: Container[int],
-) -> Mark:
-    """Draw the line of an unknown force: along a link, or square to a guide but for the angle of friction."""
-    match leg:
-        case PinLeg():
-            letter, along = f"({_closing(leg, tangents)})", leg.line
-            return draft.draw(parallel, letter, through, along, sense=1, why=why.NORMAL_UNKNOWN)
-        case GuideLeg():
-            pair = _pair(leg)
-            letter = f"(R_{{{pair[1]}{pair[0]}}})"
-            if pair in slopes:
-                return draft.draw(at_friction_angle, letter, through, leg.line, *slopes[pair])
-            return draft.draw(square, letter, through, leg.line, sense=1, why=why.GUIDE_UNKNOWN)
-        case _:
-            unheld(leg, "forces")
-
-
-def _pair(leg: GuideLeg) -> Pair:
-    """Return whose reaction a guide's line shows: link and body; of the inner guide rocker and stone."""
-    return (leg.on, leg.link) if leg.inner else (leg.link, leg.body)
+def _across(chain: Chain, leg: ClosingLeg, tangents: dict[int, Tangent]) -> None:
+    """Lay a tangential component off, if a leg has one: square to the leg."""
+    if leg.link in tangents:
+        start, found = chain.end, tangents[leg.link]
+        chain.add_across(found.letter, leg.line, found.value)
+        tangents[leg.link] = found._replace(side=(start, chain.end))
 
 
 def _read(
     figure: Detached,
-    closing: Closing,
-    chain: Chain,
-    at: _Corners,
-    sums: tuple[dict[int, Mark | None], dict[int, Tangent]],
+    closing: AnyClosing,
+    found: dict[int, _Stands],
+    turning: dict[int, Mark | None],
     *,
     rough: bool,
-) -> Solved:
-    """Measure the reactions; close the polygon with the unknown sides.
-
-    ``sums``: the moments that the outer pairs have to balance, the tangential components found of them.
-    """
-    turning, tangents = sums
-    first, second = closing.legs
-    inner = closing.group.inner.kind == "P"
-    vectors = ((at.top, at.loads), (at.loaded, at.top))
-    found = []
-    for leg, vector in zip(closing.legs, vectors, strict=True):
+) -> tuple[Reaction, ...]:
+    """Measure the reactions: what holds the legs, and what acts in the inner pairs."""
+    reactions = []
+    for leg in closing.legs:
         slides = isinstance(leg, GuideLeg) and not leg.inner
         guide = leg.line if slides and rough else None
         couple = turning[leg.link] if slides else None
         held = leg.body, links_of(leg)[0]
-        found.append(reaction_of(figure, held, vector, guide, couple))
-    guide, couple = (first.line if rough else None, turning[first.link]) if inner else (None, None)
-    inside = links_of(first)[-1], links_of(second)[-1]
-    between = reaction_of(figure, inside, (at.top, at.middle), guide, couple)
-    letters = [_closing(leg, tangents) for leg in closing.legs]
-    sides = (*chain.sides, (letters[1], at.end, at.top), (letters[0], at.top, at.start))
-    drawn = Polygon(figure.of, chain.mu, sides)
-    return Solved(closing, (found[0], found[1], between), drawn, turning, tangents, figure, {})
+        reactions.append(reaction_of(figure, held, found[leg.link].outer, guide, couple))
+    for leg, pair, links in zip(closing.legs, inner_pairs(closing), inside(closing), strict=False):
+        slides = pair.kind == "P"
+        guide, couple = (leg.line if rough else None, turning[leg.link]) if slides else (None, None)
+        reactions.append(reaction_of(figure, links, found[leg.link].inner, guide, couple))
+    return tuple(reactions)
 
 
 def reaction_of(

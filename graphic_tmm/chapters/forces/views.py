@@ -11,17 +11,18 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.friction import below, pin_sentences
-from graphic_tmm.chapters.forces.ink_balances import Writer, driver_rows, group_rows, lever_rows
+from graphic_tmm.chapters.forces.ink_balances import driver_rows, group_rows, lever_rows
 from graphic_tmm.chapters.forces.ink_equations import Row, draw_balances
 from graphic_tmm.chapters.forces.ink_groups import GroupFigure, Reactive, Rubbed, draw_group
 from graphic_tmm.chapters.forces.ink_lever import draw_lever_ink
 from graphic_tmm.chapters.forces.ink_polygons import bar, draw_polygon, whole
+from graphic_tmm.chapters.forces.ink_writer import Writer
 from graphic_tmm.chapters.forces.levers import Balanced
 from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.load_strokes import loads_along_guides
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.spring_diagrams import spring_views, springs_on_plan
-from graphic_tmm.chapters.forces.statics import Solved
+from graphic_tmm.chapters.forces.statics import Solved, last_legs
 from graphic_tmm.chapters.forces.table import force_columns, names_of
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.tool import Tool
@@ -29,6 +30,7 @@ from graphic_tmm.chapters.forces.wheels import SolvedWheel
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.along import AlongGuide, AlongGuides
+from graphic_tmm.chapters.kinematics.closings import ClosingLeg
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
@@ -194,25 +196,39 @@ def group_shown(drawn: Drawn, made: Forces, solved: Solved | SolvedWheel) -> Gro
         return _wheel_shown(made, solved)
     closing, unknown = solved.closing, list[Reactive]()
     links = (*closing.group.links, *closing.group.rods)
-    # the sides of unknown size end a polygon, that of the first leg last
-    last = reversed(solved.polygon.sides[-2:])
-    for leg, reaction, along in zip(closing.legs, solved.reactions, last, strict=False):
+    for leg, reaction in zip(closing.legs, solved.reactions, strict=False):
         at = closing.at(leg)
         tangent = solved.tangents.get(leg.link)
-        if tangent is None or tangent.side is None:
+        if tangent is not None and tangent.side is not None:
+            tail, head = tangent.side
+            own = tangent.value, tangent.arm, leg.link
+            unknown.append(Reactive(tangent.letter, at, tail, head, *own))
+        elif leg in last_legs(closing):
             unknown.append(Reactive(reaction.letter, at, reaction.tail, reaction.head))
             continue
-        found = Reactive(tangent.letter, at, *tangent.side, tangent.value, tangent.arm, leg.link)
-        letter, tail, head = along
-        unknown += [found, Reactive(letter, at, tail, head)]
+        unknown.append(_along(solved, leg, at))
+    held = solved.special.couples if solved.special is not None else ()
     return GroupFigure(
         solved.figure,
         links,
         [f for k in links for f in made.acting.forces.get(k, [])],
-        [c for k in links for c in made.acting.couples.get(k, [])],
+        [*(c for k in links for c in made.acting.couples.get(k, [])), *held],
         unknown,
         _rubbed(drawn, made, links),
+        special=solved.special,
     )
+
+
+def _along(solved: Solved, leg: ClosingLeg, at: Mark) -> Reactive:
+    """Return what holds a leg along its known line: one of the sides that end a polygon, or of a third leg."""
+    last = last_legs(solved.closing)
+    if leg in last:
+        letter, tail, head = solved.polygon.sides[-1 - last.index(leg)]
+        return Reactive(letter, at, tail, head)
+    assert solved.special is not None
+    third = solved.special.third
+    assert third.side is not None
+    return Reactive(third.letter, at, *third.side)
 
 
 def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:

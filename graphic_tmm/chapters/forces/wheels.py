@@ -10,7 +10,8 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces.detached import Detached, Polygon, Reaction, Solution
 from graphic_tmm.chapters.forces.loads import Acting, Force
 from graphic_tmm.chapters.forces.operations import tooth_across, tooth_inwards, tooth_outwards
-from graphic_tmm.chapters.forces.statics import Tangent, reaction_of
+from graphic_tmm.chapters.forces.statics import reaction_of
+from graphic_tmm.chapters.forces.unknowns import Tangent
 from graphic_tmm.chapters.kinematics.bodies import Meshed
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said

@@ -213,3 +213,11 @@ SUM_ON_LEVER = said(
 )
 POWER = said("What balances a drive times the rate at which it goes is its power.")
 FRICTION_READ = said("The friction of the guide is the part of the reaction along it.")
+SPECIAL_POINT_OF_FORCES = said(
+    "The lines of what holds two of the legs cross in Assur's special point: about it neither has a moment."
+)
+TANGENTIAL_LINE = said("The tangential component acts at the outer pin, square to the link.")
+GUIDE_HOLDS = said(
+    "What turns the slider about its pin is held by the guide: its reaction stands off the pin, as a force at "
+    "the pin with this couple."
+)

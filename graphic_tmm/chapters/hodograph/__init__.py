@@ -12,11 +12,11 @@ are off by θ⁴/30. Three times what both are apart there or at a neighbour, an
 a degree, make the limit up to which an angle is explained; more is a mistake of a plan. It falls with the
 fourth power of the number of positions. At the ends of a row that does not come back there are no
 neighbours on one side: nothing is said there. Nor is it of a point that slides on the frame: its hodograph
-is a straight line.
+is a straight line. Nor where one ω with an ε is given for all positions: they are no moments of one motion.
 
 By the turn of a crank that turns evenly v = ω·dS/dφ and a = ω²·d²S/dφ²: the analogues dS/dφ and d²S/dφ² are
 read off the same plans to the scales μ_v/ω_1 and μ_a/ω_1², as if the crank turned by one radian a second.
-They hang on the lengths alone.
+They hang on the lengths alone. ``motion(plans="hodograph")`` gives them, as vectors, at any angle.
 
 Draws: places ``hodograph`` (the hodographs) and ``hodograph table``. Builds on the plans of velocities and
 accelerations.

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.chapters.hodograph.plan import HODOGRAPH_PLAN
+from graphic_tmm.chapters.hodograph.record import HODOGRAPH_PLAN
 from graphic_tmm.chapters.hodograph.table import angles, limits
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

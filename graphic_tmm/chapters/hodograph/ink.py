@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from graphic_tmm.board.record import Step
 from graphic_tmm.chapters.hodograph.operations import equal_vector
-from graphic_tmm.chapters.hodograph.plan import Hodograph
+from graphic_tmm.chapters.hodograph.record import Hodograph
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, line
 from graphic_tmm.paper.figure import Manner, body, figure
 from graphic_tmm.paper.labels import Named, lettered, shared

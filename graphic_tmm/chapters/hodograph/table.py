@@ -9,7 +9,7 @@ import numpy as np
 from graphic_tmm.board.record import segment_name
 from graphic_tmm.board.values import Curve, Reals
 from graphic_tmm.chapters.hodograph import words as why
-from graphic_tmm.chapters.hodograph.plan import (
+from graphic_tmm.chapters.hodograph.record import (
     HODOGRAPH_PLAN,
     Hodograph,
     Hodographs,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.hodograph.ink import draw_hodograph
-from graphic_tmm.chapters.hodograph.plan import HODOGRAPH_PLAN, Hodograph
+from graphic_tmm.chapters.hodograph.record import HODOGRAPH_PLAN, Hodograph
 from graphic_tmm.chapters.hodograph.table import analogue_columns, tangent_columns
 from graphic_tmm.chapters.hodograph.task import HODOGRAPH, TABLE
 from graphic_tmm.chapters.hodograph.words import ACCELERATION, ANALOGUES, VELOCITY

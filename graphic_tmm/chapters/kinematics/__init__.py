@@ -24,14 +24,20 @@ Images of further points are found by that and not by equations (`images`). Turn
 by 90° makes every line parallel to its link instead of square to it: the turned plan, which is Zhukovsky's
 lever later.
 
+A plate on three legs (class III, `plates`) is laid with tracing paper: its three pins are moved until each is
+on what its leg leaves it. It can lie in up to six places; the one that is meant is followed through the drive
+(`branches`). Where the lines of two legs cross is Assur's special point of the plate (`special_point`): its
+velocity against the pivots of both legs is square to them, so its image is where two lines meet; with the third
+leg the plate then makes a dyad. The line of a leg that slides is square to its guide.
+
 Extreme positions are found before the plans: crank and rod in one line, or crank square to the rocker;
 elsewhere by refining (`extremes`). Whether the mechanism assembles over the turn is told by the gaps of all
 steps with two roots (`assembly`).
 
-Draws: places ``given`` (the table of what the scene gives, of all chapters), ``positions``, ``velocities``,
-``velocities by drive`` (of several drives: what each alone causes, added up), ``accelerations``, ``equations``
-(``velocity equations`` and ``acceleration equations``, each with its plans), ``velocity table``,
-``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is the kernel's
+Draws: places ``given`` (the table of what the scene gives, of all chapters), ``positions``, ``special points``
+(of plates), ``velocities``, ``velocities by drive`` (of several drives: what each alone causes, added up),
+``accelerations``, ``equations`` (``velocity equations`` and ``acceleration equations``, each with its plans),
+``velocity table``, ``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is the kernel's
 (`graphic_tmm.mechanism.structure`).
 
 Sources: Артоболевский И. И., Теория механизмов и машин (кинематический анализ: планы положений, скоростей,
@@ -47,6 +53,7 @@ from graphic_tmm.chapters.kinematics.task import (
     KINEMATICS,
     POSITIONS,
     SECTIONS,
+    SPECIAL_POINTS,
     VELOCITIES,
 )
 from graphic_tmm.language.said import said
@@ -64,6 +71,7 @@ CHAPTER = Chapter(
     places=(
         Place(GIVEN, 20, attends=POSITIONS),
         Place(POSITIONS, 19),
+        Place(SPECIAL_POINTS, 20, attends=POSITIONS),
         Place(VELOCITIES, 21),
         Place(ACCELERATIONS, 22),
         Place(BY_DRIVE, shows=(VELOCITIES,)),

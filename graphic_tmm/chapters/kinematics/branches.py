@@ -48,6 +48,8 @@ TURNED = 0.05
 """A step by which the plate or its first leg turns by more than this, rad, is halved."""
 LEAST = 1e-11
 """A step that is less than this share of the drive's way ends a branch: two places meet there."""
+MEANT = 30.0
+"""So far from what a scene says, in degrees, a place may be that it means, if others are twice as far."""
 ALIKE = 1e-6
 """Two places that differ by less, rad, are one."""
 
@@ -252,7 +254,7 @@ def branch_of(search: Search, angle: float, near: Near | None, link: int) -> Bra
             )
             if near is None or near.at is None
             else said(
-                "group {name} cannot be assembled at {at}: give another coordinate of the drive as at",
+                "group {name} cannot be assembled at {at}: give another coordinate of the drive as near_at",
                 name=search.group.name,
                 at=where,
             ),
@@ -262,13 +264,13 @@ def branch_of(search: Search, angle: float, near: Near | None, link: int) -> Bra
     order = sorted(range(len(own)), key=apart.__getitem__)
     if (
         near is None
-        or apart[order[0]] > 10.0
+        or apart[order[0]] > MEANT
         or (len(own) > 1 and apart[order[1]] < 2 * apart[order[0]])
     ):
         raise StructureError(
             said(
                 "group {name} can be assembled in {count} ways at {letter} = {at}: give link {plate} the "
-                "direction of its own x axis there, near = one of {listed}",
+                "direction of its own x axis there, near = one of {listed}, and near_at = {at}",
                 name=search.group.name,
                 count=len(own),
                 letter=search.sweep.letter,

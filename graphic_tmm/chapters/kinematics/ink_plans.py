@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import groupby
+from itertools import groupby, product
 from typing import NamedTuple
 
 import numpy as np
@@ -73,7 +73,8 @@ def draw_plan(
     traces = figure(seen, manner, helping=helping)
     spot = seen.point(view.pole, places[0].at)
     strokes = (*traces.staying, *body(pole(spot), "pole", [view.pole]), *upon)
-    wanted = _letters(seen, places, view.pole, on.heights)
+    parts = [] if common else _parts(seen, told)
+    wanted = _letters(seen, places, view.pole, on.heights, parts)
     positions = ((place.at, place.number) for place in places if place.number)
     return traces.drawing(on, strokes, wanted, (), positions)
 
@@ -95,6 +96,8 @@ def _manner(seen: Seen, told: Sequence[Vector], mu: float, unit: str, *, common:
             a, b = seen.point(one.start, k), seen.point(one.end, k)
             if abs(b - a) >= least:
                 yield from _vector(one, a, b, mu, unit, thin=common)
+        elif not common:
+            yield from _projected(seen, step, k)
 
     drawn = {frozenset((one.start, one.end)) for one in told}
 
@@ -121,10 +124,35 @@ def _vector(
     return told_arrow(a, b, pen, vector.segment, mu, unit)
 
 
+def _foot(seen: Seen, step: Step, k: int) -> complex | None:
+    """Return the foot of a vector's end on a line that a part of it is measured along; None if it is on it."""
+    start, end = (seen.point(mark, k) for mark in step.uses[:2])
+    along = seen.line(step.uses[2], k)[1]
+    foot = start + ((end - start) * along.conjugate()).real * along
+    return foot if finite(foot) and abs(end - foot) > CLOSE else None
+
+
+def _parts(seen: Seen, told: Sequence[Vector]) -> list[Step]:
+    """Return what was measured of vectors along other lines than their own."""
+    whole = {one.step.it for one in told}
+    return [one for one in seen.steps if one.op is measure_along and one.it not in whole]
+
+
+def _projected(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """The part of a vector that was measured along another line, and what squares it off."""
+    foot = _foot(seen, step, k) if step.op is measure_along else None
+    if foot is not None:
+        for mark in step.uses[:2]:
+            yield from segment("thin", seen.point(mark, k), foot)
+
+
 def _letters(
-    seen: Seen, places: Sequence[Place], pole_mark: Mark, heights: Heights
+    seen: Seen, places: Sequence[Place], pole_mark: Mark, heights: Heights, parts: Sequence[Step]
 ) -> list[Wanted]:
-    """The letters of a plan: the pole's, those of images by the alphabet, those of ends of components."""
+    """The letters of a plan: the pole's, those of images by the alphabet, those of ends of components.
+
+    ``parts``: what was measured of vectors along other lines, lettered at its foot.
+    """
     at_pole = seen.point(pole_mark, places[0].at)
     marks = sorted(
         (step.it for step in seen.steps if step.it.kind is Point),
@@ -135,6 +163,9 @@ def _letters(
         for stood in places
         for m in marks
     ]
+    for step, stood in product(parts, places):
+        if (foot := _foot(seen, step, stood.at)) is not None:
+            named.append(Named(foot, markup(step.it.name), (step.it.slot,), stood.at))
     named = [one for one in named if finite(one.at)]
     common = len(places) > 1
     pole = Named(at_pole, markup(pole_mark.name), (pole_mark.slot,))

@@ -162,6 +162,14 @@ def component(draft: Draft, segment: Mark, part: str, *images: str, of: str = "a
     draft.figure(roles.COMPONENT, f"{of}_{{{''.join(images).upper()}}}^{{{part}}}", segment)
 
 
+class PathPart(NamedTuple):
+    """Of a point: its velocity as read (Length), the square to it, the acceleration along that (Length)."""
+
+    speed: Mark
+    normal: Mark
+    part: Mark
+
+
 @dataclass
 class Motion:
     """A plan as drawn.
@@ -174,7 +182,8 @@ class Motion:
     ``ends``: of a leg of changing length, by its link, where the part begins that turns only; ``outs``: the
     segment (Length) of its rod's velocity seen from the cylinder. ``driven``: by the link of each drive, the
     ends of the vector that is given; ``possible``: of a mechanism that stands, what could be. ``pitches``: by
-    the link of a wheel, the image of the pitch point as a point of it.
+    the link of a wheel, the image of the pitch point as a point of it. ``paths``: of accelerations, by images,
+    what was read square to paths.
     """
 
     images: Images
@@ -182,6 +191,7 @@ class Motion:
     readings: dict[int, Mark] = field(default_factory=dict)
     measured: set[Mark] = field(default_factory=set)
     rates: dict[int, Mark] = field(default_factory=dict)
+    paths: dict[Mark, PathPart] = field(default_factory=dict)
     speeds: dict[int, Mark] = field(default_factory=dict)
     closed: dict[str, Mark] = field(default_factory=dict)
     ends: dict[int, Mark] = field(default_factory=dict)
@@ -213,6 +223,13 @@ def known_image(plan: Motion, closing: AnyClosing, leg: ClosingLeg) -> Mark:
             )
         case _:
             unheld(leg, plan.images.pole.view)
+
+
+def pin_image(plan: Motion, closing: AnyClosing, leg: ClosingLeg) -> Mark:
+    """Return the image of the inner end of a leg: of a closing point, or of a pin of a plate."""
+    if isinstance(closing, Closing):
+        return plan.closed[closing.group.name]
+    return plan.images.by_letter[closing.group.plate][closing.pin_letter(leg)]
 
 
 def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark) -> None:

@@ -11,7 +11,12 @@ from graphic_tmm.board.operations.tracing import prick, trace, trace_on_guide, t
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Arc
 from graphic_tmm.chapters.kinematics import words as why
-from graphic_tmm.chapters.kinematics.bodies import Body, draw_points, off_axis, stand
+from graphic_tmm.chapters.kinematics.bodies import (
+    Body,
+    draw_points,
+    off_axis,
+    stand,
+)
 from graphic_tmm.chapters.kinematics.closings import (
     Branch,
     ClosingLeg,
@@ -59,13 +64,14 @@ def close_plate(
         for leg, pin in zip(group.legs, pins, strict=True)
     ]
     axis = Body(link, own[0], math.degrees(cmath.phase(along)), lambda: root)
+    apart, _ = off_axis(axis, own[1])
     x, y = off_axis(axis, own[2])
-    plate = Plate(group, link, (loci[0], loci[1], loci[2]), abs(along), complex(x, y), axis.angle)
+    plate = Plate(group, link, (loci[0], loci[1], loci[2]), apart, complex(x, y), axis.angle)
     branch = follow(plate)
     first, line = f"{group.legs[0].pair.name}{pins[0]}", "".join(pins[:2])
     near = draft.take(Angle, f"≈{first}", 0.0, "°"), draft.take(Angle, f"≈{line}", 0.0, "°")
     lengths = (
-        draft.length(line, abs(along)),
+        draft.length(line, apart),
         draft.length(f"x_{{{pins[2]}}}", x),
         draft.length(f"y_{{{pins[2]}}}", y),
     )

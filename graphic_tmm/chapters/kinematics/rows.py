@@ -21,7 +21,7 @@ from graphic_tmm.board.values import Length, Number
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.closings import GuideLeg, legs_of
-from graphic_tmm.chapters.kinematics.motion import Motion, image_letter, reading_of
+from graphic_tmm.chapters.kinematics.motion import Motion, PathPart, image_letter, reading_of
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, POSITIONS, VELOCITIES, Rows
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
@@ -158,34 +158,48 @@ def _pins(ground: Ground, asked: Rows) -> Iterator[Further]:
             yield Further(VELOCITIES, f"v{name}", f"v_{{{name}}}", "m/s", value)
 
 
+def read_path(
+    draft: Draft, plans: tuple[Motion, Motion], letter: str, images: tuple[Mark, Mark],
+    quarters: int, *, tangential: bool = False,
+) -> PathPart | None:  # fmt: skip
+    """Read the acceleration of a point square to its path, and along it where that is wanted.
+
+    ``plans``, ``images``: of velocities and of accelerations. None where the point stands still. What was read
+    before is not read again.
+    """
+    (motion, gained), (image, end), small = plans, images, image_letter(letter)
+    speed = reading_of(draft, motion, image)
+    if speed is None or (end in gained.paths and not tangential):
+        return gained.paths.get(end)
+    draft.open(VELOCITIES)
+    name, pole = f"(v_{{{letter}}})", gained.images.pole
+    way = draft.draw(join, name, motion.images.pole, image, free=True, why=why.PATH_WAY)
+    draft.open(ACCELERATIONS)
+    across = (parallel, -quarters) if quarters else (square, 1)
+    ways = [(f"n_{{{small}}}", *across, why.PATH_ACROSS, why.PATH_NORMAL)]
+    if tangential:
+        along = (square, quarters) if quarters else (parallel, 1)
+        ways.insert(0, (f"t_{{{small}}}", *along, why.PATH_ALONG, why.PATH_TANGENTIAL))
+    lines = [
+        draft.draw(op, f"({name})", pole, way, sense=sense, free=True, why=because)
+        for name, op, sense, because, _ in ways
+    ]
+    parts = [
+        draft.draw(measure_along, name, pole, end, line, free=True, why=because)
+        for (name, _, _, _, because), line in zip(ways, lines, strict=True)
+    ]
+    return gained.paths.setdefault(end, PathPart(speed, lines[-1], parts[-1]))
+
+
 def _path(ground: Ground, gained: Motion, letter: str) -> Iterator[Further]:
     """Read the acceleration of a point along its path and square to it; calculate the radius of the path."""
     draft, motion = ground.draft, ground.velocities
     assert motion is not None
-    image, end = (ground.image(one, letter) for one in (motion, gained))
-    speed = reading_of(draft, motion, image)
-    if speed is None:
+    images = ground.image(motion, letter), ground.image(gained, letter)
+    path = read_path(draft, (motion, gained), letter, images, ground.quarters, tangential=True)
+    if path is None:
         says = said("{letter} stands still: it has no path", letter=letter)
         raise StructureError(says, "rows.paths", head="rows")
-    small = image_letter(letter)
-    draft.open(VELOCITIES)
-    way = draft.draw(
-        join, f"(v_{{{letter}}})", motion.images.pole, image, free=True, why=why.PATH_WAY
-    )
-    draft.open(ACCELERATIONS)
-    pole, across = gained.images.pole, ((square, ground.quarters), (parallel, -ground.quarters))
-    (op, sense), (other, back) = across if ground.quarters else ((parallel, 1), (square, 1))
-    along = draft.draw(
-        op, f"(t_{{{small}}})", pole, way, sense=sense, free=True, why=why.PATH_ALONG
-    )
-    normal = draft.draw(
-        other, f"(n_{{{small}}})", pole, way, sense=back, free=True, why=why.PATH_ACROSS
-    )
-    draft.draw(
-        measure_along, f"t_{{{small}}}", pole, end, along, free=True, why=why.PATH_TANGENTIAL
-    )
-    part = draft.draw(
-        measure_along, f"n_{{{small}}}", pole, end, normal, free=True, why=why.PATH_NORMAL
-    )
-    radius = draft.draw(path_radius, f"ρ_{{{letter}}}", speed, part, unit="m", free=True)
+    known = path.speed, path.part
+    radius = draft.draw(path_radius, f"ρ_{{{letter}}}", *known, unit="m", free=True)
     yield Further(ACCELERATIONS, f"rho{letter}", f"ρ_{{{letter}}}", "m", radius)

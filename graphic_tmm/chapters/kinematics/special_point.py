@@ -37,6 +37,7 @@ from graphic_tmm.chapters.kinematics.motion import (
     hang_leg,
     hold,
     known_image,
+    pin_image,
 )
 from graphic_tmm.chapters.kinematics.task import SPECIAL_POINTS, VELOCITIES
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read_leg, stands
@@ -113,7 +114,7 @@ def plate_velocities(
     read_leg(draft, plan, special.leg, at, point, across)
     _hang_plate(positions, plan, closing, special, at, point)
     for leg, line in zip((*closing.crossing, third), (*lines, free), strict=True):
-        pin = _pin_image(plan, closing, leg)
+        pin = pin_image(plan, closing, leg)
         read_leg(draft, plan, leg, draft.uses(line)[0], pin, line)
         hang_leg(positions, plan, closing, leg, pin)
 
@@ -140,7 +141,7 @@ def plate_accelerations(
     read_tangential(draft, plan, special.leg, point, across)
     _hang_plate(positions, plan, closing, special, at, point)
     for leg, line in zip((*closing.crossing, third), free, strict=True):
-        pin = _pin_image(plan, closing, leg)
+        pin = pin_image(plan, closing, leg)
         read_along(draft, plan, closing, leg, pin, line)
         hang_leg(positions, plan, closing, leg, pin)
 
@@ -195,7 +196,3 @@ def _hang_plate(
     body = positions.bodies[closing.group.plate]
     plan.images.hang(body, Hanging(special.point, at, base), {closing.letter: point})
     plan.images.complete(body)
-
-
-def _pin_image(plan: Motion, closing: PlateClosing, leg: ClosingLeg) -> Mark:
-    return plan.images.by_letter[closing.group.plate][closing.pin_letter(leg)]

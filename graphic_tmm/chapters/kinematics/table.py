@@ -15,6 +15,7 @@ from graphic_tmm.chapters.kinematics.task import (
     EXTREMES,
     PLANS,
     POSITIONS,
+    SPECIAL_POINTS,
     VELOCITIES,
 )
 from graphic_tmm.drawn import Drawn
@@ -106,7 +107,8 @@ def _title(held: Holder, view: str, language: str) -> str:
 
 def _views(project: Project) -> dict[str, tuple[str, ...]]:
     """Return the views of the plans; those of single drives stand with the plan of velocities."""
-    plans, found = KINEMATICS_PLAN.on(project), {plan: (plan,) for plan in (EXTREMES, *PLANS)}
+    shown = EXTREMES, POSITIONS, SPECIAL_POINTS, VELOCITIES, ACCELERATIONS
+    plans, found = KINEMATICS_PLAN.on(project), {plan: (plan,) for plan in shown}
     more = [*(one.mu.view for one in plans.apart), *[BY_DRIVE] * bool(plans.summed)]
     return {**found, VELOCITIES: (VELOCITIES, *more)}
 

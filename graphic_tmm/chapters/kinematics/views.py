@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.chapters.kinematics.along import with_guides
+from graphic_tmm.chapters.kinematics.closings import PlateClosing
 from graphic_tmm.chapters.kinematics.dead_places import dead_places
 from graphic_tmm.chapters.kinematics.ink_by_drive import draw_sums_ink
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
@@ -14,6 +15,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
     draw_position_ink,
     draw_positions_ink,
 )
+from graphic_tmm.chapters.kinematics.ink_special_point import draw_special_points
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import outlying, reaches
 from graphic_tmm.chapters.kinematics.special_choices import special_choices
@@ -25,6 +27,7 @@ from graphic_tmm.chapters.kinematics.task import (
     GIVEN,
     PLANS,
     POSITIONS,
+    SPECIAL_POINTS,
     VELOCITIES,
 )
 from graphic_tmm.chapters.kinematics.words import ALONE, EACH_ALONE
@@ -84,6 +87,19 @@ def _together(drawn: Drawn, made: KinematicPlans) -> list[str]:
         ", ".join(names[i] for i in whole if i % size == k) if k < size else name
         for k, name in enumerate(names)
     ]
+
+
+def special_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
+    """Return the special points of plates in the main position."""
+    made, words = KINEMATICS_PLAN.on(drawn), captions(drawn.scene.language)
+    plates = any(isinstance(one, PlateClosing) for one in made.positions.closings)
+    if not plates or made.velocities is None:
+        return []
+    position = f"{words['position']} {drawn.names[drawn.main]}"
+    title = f"{words[SPECIAL_POINTS]}, {position}"
+    on = subject(drawn, title, SPECIAL_POINTS)
+    view = draw_special_points(on, reaches(drawn), made.positions, drawn.main)
+    return [with_caption(view, on, lettered, mu_text(drawn.scales[POSITIONS], on.language))]
 
 
 def warned(drawn: Drawn, language: str) -> Iterator[str]:
@@ -260,6 +276,7 @@ SHOWN = Views(
     draw={
         GIVEN: given_views,
         POSITIONS: position_views,
+        SPECIAL_POINTS: special_views,
         VELOCITIES: velocity_views,
         BY_DRIVE: by_drive_views,
         ACCELERATIONS: acceleration_views,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.kinematics.task import BY_DRIVE, EXTREMES, PLANS
+from graphic_tmm.chapters.kinematics.task import BY_DRIVE, EXTREMES, PLANS, SPECIAL_POINTS
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import said
 from graphic_tmm.scene.captions import Named
@@ -53,7 +53,7 @@ def called(view: str, speech: Speech) -> str:
 WORDS = Named(
     captions=CAPTIONS,
     called=called,
-    plans=(EXTREMES, *PLANS),
+    plans=(EXTREMES, SPECIAL_POINTS, *PLANS),
     sources=("artobolevsky", "popov"),
     symbols=SYMBOLS,
 )

@@ -1,6 +1,6 @@
 """Klein's construction and Ritterhaus's: velocities and accelerations of a slider-crank on its own figure.
 
-The crank OA turns evenly; the rod AB moves the slider B along a guide. The rod is produced to M on the
+The crank OA turns; the rod AB moves the slider B along a guide. The rod is produced to M on the
 normal to the guide through O. The triangle OAM is the plan of velocities turned by 90°, with v_A drawn as
 long as the crank: v_B = ω·OM·μ_l, v_BA = ω·AM·μ_l. So ω is the only number that is needed.
 
@@ -8,7 +8,14 @@ Klein: the circle about A with the radius AM and the circle on AB as diameter ha
 square to AB and meets it in Q and the line through O along the guide in N. In the right-angled triangle
 over AB AM² = AQ·AB, hence ω²·AQ·μ_l = v_BA²/l_AB is the normal acceleration, and the quadrilateral OAQN is
 the plan of accelerations turned by 180°: a_A = ω²·OA·μ_l, a_BA^t = ω²·QN·μ_l, a_B = ω²·ON·μ_l. The guide
-need not go through O: then N lies on the parallel to it.
+need not go through O: then N lies on the parallel to it. These drawings hold of a crank that turns evenly.
+
+A crank that gains speed gives its pin ε·OA besides, square to the crank. To the scale ω²·μ_l it is AA′ =
+OA·ε/ω², laid off at A against the sense of ε, for all is turned by 180°. Behind it AQ is laid off parallel to
+the rod, to Q′; the square to the rod through Q′ meets the line through O along the guide in N. The pentagon
+OAA′Q′N is the plan of accelerations: a_A = ω²·OA′·μ_l, a_BA^t = ω²·Q′N·μ_l, a_B = ω²·ON·μ_l. M and Q hang on
+velocities alone and stay; points of the rod lie on A′N. Where ω and ε are listed by positions each position
+has its own scale factors.
 
 Ritterhaus finds the same Q without the compass: the parallel to BO (in line with O: to the guide) through M
 meets the crank in R; the parallel to OM through R meets the rod in Q, for AR : AO = AM : AB and AQ : AM =

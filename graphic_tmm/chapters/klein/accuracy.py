@@ -14,7 +14,7 @@ from graphic_tmm.board.hand import EXACT, HANDS
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN
 from graphic_tmm.chapters.klein.task import KLEIN, RITTERHAUS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.said import said

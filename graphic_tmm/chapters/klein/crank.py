@@ -23,7 +23,7 @@ from graphic_tmm.mechanism.guides import level
 
 
 class SliderCrank(NamedTuple):
-    """A crank that turns evenly, a rod on it, a slider on the frame; letters of its pivot, pin and slider.
+    """A crank that turns, a rod on it, a slider on the frame; letters of its pivot, pin and slider.
 
     ``arm``: from pivot to pin in the crank's own axes; ``length``: of the rod, ``offset``: of the guide, which
     passes the pivot on its left (m). ``points``: of the rod, from the pin along it and to its left (m).
@@ -66,9 +66,9 @@ def slider_crank(plans: KinematicPlans, order: KleinTask) -> SliderCrank:
     Raises
     ------
     StructureError
-        If it is none, if its crank does not turn evenly, or a point is none of its rod.
+        If it is none, if its crank is not driven or stands, or a point is none of its rod.
     """
-    crank = _even_crank(plans)
+    crank = _driven_crank(plans)
     there = dict(_there(plans, crank))
     if not there:
         says = said(
@@ -113,23 +113,17 @@ def _settled(own: complex, size: float) -> complex:
     return complex(x, y)
 
 
-def _even_crank(plans: KinematicPlans) -> Crank:
-    pair, drive = plans.pairs[0], plans.mechanism.drive
+def _driven_crank(plans: KinematicPlans) -> Crank:
+    pair = plans.pairs[0]
     says: Said | None = None
     if not isinstance(pair, Crank) or isinstance(pair, Rack):
         says = said(
-            "it wants a crank that is driven as it turns, ω = const; link {link} is driven otherwise: leave "
+            "it wants a crank that is driven as it turns; link {link} is driven otherwise: leave "
             "[klein] out",
             link=pair.link,
         )
     elif plans.mechanism.at_rest:
         says = said("the crank stands: there is no velocity to draw; give it a speed")
-    elif drive.rates or drive.gains or drive.acceleration:
-        says = said(
-            "it holds for a crank that turns evenly; ω of link {link} changes: leave out its acceleration, or "
-            "[klein]",
-            link=pair.link,
-        )
     if says is not None:
         raise StructureError(says, KLEIN, "drive.link", head=KLEIN)
     assert isinstance(pair, Crank)

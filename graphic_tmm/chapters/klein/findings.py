@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN
 from graphic_tmm.chapters.klein.task import KLEIN, VIEWS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.language.catalogue import speaking

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.board.formula import formula
-from graphic_tmm.board.values import Number
+from graphic_tmm.board.values import Length, Number
 from graphic_tmm.language.said import said
 
 
@@ -19,9 +19,21 @@ def velocities_on_figure(mu: Number, omega: Number) -> Number:
 
 @formula(
     why=said(
-        "The quadrilateral over the crank is the plan of accelerations, turned by 180°: the crank stands for "
+        "The figure over the crank is the plan of accelerations, turned by 180°: the crank stands for "
         "{omega}²·l, so a millimetre for {omega}² times as much as of lengths."
     )
 )
 def accelerations_on_figure(mu: Number, omega: Number) -> Number:
     """{mu}·{omega}²"""
+
+
+@formula(
+    holds="{omega} ≠ 0",
+    fails="the crank stands",
+    why=said(
+        "The crank stands for {omega}²·l, the normal acceleration of its pin; the tangential one is "
+        "{epsilon}·l, so to the same scale {epsilon}/{omega}² of the crank."
+    ),
+)
+def tangential_on_figure(crank: Length, epsilon: Number, omega: Number) -> Length:
+    """{crank}·{epsilon}/{omega}²"""

@@ -12,7 +12,7 @@ from graphic_tmm.board.operations.instruments import similar
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Line, Point
 from graphic_tmm.chapters.klein.operations import circle_through
-from graphic_tmm.chapters.klein.plan import Figure
+from graphic_tmm.chapters.klein.record import Figure
 from graphic_tmm.chapters.klein.task import KLEIN
 from graphic_tmm.paper.drawing import Drawing, Ink, Wanted, arc, circle, line
 from graphic_tmm.paper.figure import Manner, body, figure
@@ -24,6 +24,8 @@ from graphic_tmm.paper.symbols.kinematic import fixed_pivot, pole, slider, turni
 
 BEYOND = 8.0
 """By how many degrees the circle on the rod goes on behind the points that it shares."""
+TICK = 2.0
+"""How far the mark of the rod's middle reaches to either side of the rod, mm."""
 CLOSE = 2.0
 """Points nearer than this, mm, share one label."""
 
@@ -42,9 +44,15 @@ def _side(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         yield line("medium", start, end)
 
 
+def _laid(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+    """A side of the figure, where it was laid off."""
+    yield from segment("medium", seen.line(step.uses[0], k)[0], seen.point(step.it, k))
+
+
 def _rules(made: Figure) -> dict[Mark, Rule]:
     """Return how marks of a construction are inked: its sides, of Klein's circles as much as is needed."""
     rules: dict[Mark, Rule] = {one.segment: _side for one in made.quantities}
+    rules |= dict.fromkeys(made.moved, _laid)
     if made.view != KLEIN:
         return rules
     centre, arc_, both, chord = made.through
@@ -68,14 +76,21 @@ def _rules(made: Figure) -> dict[Mark, Rule]:
         yield arc("thin", middle, radius, start, 2.0 * half)
 
     def across(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
-        """The common chord, as far as N."""
-        spots = [*far(seen, k), seen.point(made.N, k)]
+        """The common chord, as far as N where N is on it."""
+        spots = [*far(seen, k), *(() if made.moved else (seen.point(made.N, k),))]
         if not finite(*spots):
             return
         ends = max(combinations(spots, 2), key=lambda one: abs(one[1] - one[0]))
         yield from segment("thin", *ends)
 
-    return {**rules, arc_: on_rod, chord: across}
+    def middle(seen: Seen, step: Step, k: int) -> Iterator[Ink]:
+        """A tick across the rod at its middle."""
+        spot, pin, stone = (seen.point(mark, k) for mark in (centre, made.pin, made.slider))
+        if finite(spot, pin, stone):
+            way = 1j * TICK * (stone - pin) / abs(stone - pin)
+            yield line("thin", spot - way, spot + way)
+
+    return {**rules, centre: middle, arc_: on_rod, chord: across}
 
 
 def _stays(seen: Seen, step: Step) -> bool:
@@ -106,7 +121,7 @@ def draw_construction(on: Subject, made: Figure, place: int) -> Drawing:
 
 
 def _letters(on: Subject, seen: Seen, made: Figure, place: int) -> list[Wanted]:
-    marks: list[Mark] = [made.pivot, made.pin, made.slider, made.M, made.Q, made.N]
+    marks: list[Mark] = [made.pivot, made.pin, made.slider, made.M, made.Q, made.N, *made.moved]
     marks += [mark for mark in made.through if mark.kind is Point]
     marks += [mark for one in made.points for mark in one[1:]]
     spots = [(mark, seen.point(mark, place)) for mark in marks]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from graphic_tmm.chapters.klein.plan import Klein
+from graphic_tmm.chapters.klein.record import Klein
 from graphic_tmm.language.said import said
 from graphic_tmm.note.page import Page
 from graphic_tmm.note.section_chapter import Noted

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Iterator
 
 from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.scales import Scale, standard_length
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN
+from graphic_tmm.board.scales import Scale
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN
 from graphic_tmm.chapters.klein.task import KLEIN, VIEWS
-from graphic_tmm.drawn import Drawn
-from graphic_tmm.fitting.choice import Choice, Ledger, usual_room, value_of
-from graphic_tmm.fitting.scales import Fitting, ScaleFactors, scale_of
+from graphic_tmm.fitting.choice import usual_room
+from graphic_tmm.fitting.scales import ScaleFactor, ScaleFactors, Sized, scale_of
 from graphic_tmm.fitting.sizes import Size, Sizing
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
@@ -25,29 +24,15 @@ SIZES = Sizing(
 )
 
 
-def _scales(fitting: Fitting) -> dict[str, Scale]:
-    made = KLEIN_PLAN.of(fitting)
-    if made is None:
-        return {}
-    mu = standard_length(made.of.crank + made.of.length, fitting.sizes[KLEIN])
-    return {view: Scale("μ_l", mu, "m/mm") for view in made.figures}
-
-
 _WHY = said("Crank and rod in one line take {room}.", room=usual_room(ROOM))
 
 
-def _choose(drawn: Drawn, ledger: Ledger) -> None:
-    """Record how μ_l of the constructions was chosen."""
-    made = KLEIN_PLAN.of(drawn)
-    for view in made.figures if made is not None else ():
-        assert made is not None
-        ledger.of(view)
-        most = ledger.quantity("l_{max}", made.of.crank + made.of.length, "m")
-        mu = drawn.project.scale(view)
-        ledger.fitting(mu, most, value_of(drawn, mu), lengths=True, why=_WHY)
-
-
-CHOICE = Choice(choose=_choose)
+def _factors(sized: Sized) -> Iterator[ScaleFactor]:
+    """Yield μ_l of the constructions."""
+    made = KLEIN_PLAN.on(sized)
+    most, room = made.of.crank + made.of.length, sized.sizes[KLEIN]
+    for figure in made.figures.values():
+        yield ScaleFactor(figure.scales[0], "l_{max}", most, room, lengths=True, why=_WHY)
 
 
 def _named(project: Project, reading: Reading, given: Container[Mark]) -> dict[str, Scale]:
@@ -63,4 +48,4 @@ def _keys(project: Project) -> dict[str, str]:
     return {**{view: f"mu_l_{view}" for view in VIEWS}, **signs}
 
 
-SCALES = ScaleFactors(plan_scales=_scales, named=_named, keys=_keys)
+SCALES = ScaleFactors(factors=_factors, named=_named, keys=_keys)

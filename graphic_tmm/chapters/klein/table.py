@@ -10,7 +10,7 @@ from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.klein.accuracy import prices
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.task import VIEWS
 from graphic_tmm.chapters.klein.words import DIFFERENCE
 from graphic_tmm.drawn import Drawn, Results
@@ -50,7 +50,7 @@ def _planned(drawn: Drawn) -> dict[str, Mark]:
         if motion is None:
             continue
         images = motion.images.by_letter[made.of.rod.link]
-        found[f"{sign}_{made.of.slider}"] = images[made.of.slider]
+        found |= {f"{sign}_{k}": images[k] for k in (made.of.pin, made.of.slider)}
         found |= {f"{sign}_{{{k}}}": images[k] for k in made.of.points}
     return found
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from graphic_tmm.chapters.klein.ink import draw_construction
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.table import figure_columns
 from graphic_tmm.chapters.klein.table import results as figures
 from graphic_tmm.chapters.klein.task import KLEIN, TABLE
@@ -39,7 +39,6 @@ def _row(drawn: Drawn, figure: Figure, lettered: bool) -> list[Drawing]:
         return []
     views, told = list[Drawing](), list[tuple[str, str]]()
     scales = [drawn.scales[view], *(scale_of(one, drawn.reading) for one in figure.scales[1:])]
-    mu = ", ".join(mu_text(one, language) for one in scales)
     for k, place in enumerate(drawn.row(view)):
         if place in drawn.undrawn:
             continue
@@ -48,7 +47,7 @@ def _row(drawn: Drawn, figure: Figure, lettered: bool) -> list[Drawing]:
         on = subject(drawn, title, KLEIN, name=f"{view}-{name}")._replace(reading=reading)
         drawing = finished(draw_construction(on, figure, k), lettered)
         views.append(drawing._replace(position=place))
-        told.append((escape(name), mu))
+        told.append((escape(name), ", ".join(mu_text(one.at(place), language) for one in scales)))
     several = speaking(language)(SEVERAL[view])
     return in_rows(views, view, several, told, heights(drawn.scene, KLEIN)) if views else []
 

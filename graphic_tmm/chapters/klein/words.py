@@ -59,10 +59,15 @@ NORMAL_BY_RATIO = said(
     "Divided twice in one ratio, the rod is to the side along it as that side is to what {it} cuts off: this "
     "stands for the normal acceleration."
 )
-TANGENTIAL = said("The tangential acceleration is square to the rod.")
-WHOLE = said(
-    "The quadrilateral is closed: its last side stands for the acceleration of the slider."
+PIN_TANGENTIAL = said(
+    "The tangential acceleration of the crank pin is square to the crank; the figure is turned by 180°, so "
+    "it is laid off against its sense."
 )
+AGAIN_NORMAL = said(
+    "The normal acceleration about the crank pin is laid off behind the whole acceleration of the pin."
+)
+TANGENTIAL = said("The tangential acceleration is square to the rod.")
+WHOLE = said("The figure is closed: its last side stands for the acceleration of the slider.")
 ACCELERATION = said("A side of the figure of accelerations.")
 ROD_POINT = said("The point stands on the rod of this figure as on that of the plan.")
 IMAGE_V = said("The point lies on the side of the velocities as it lies on the rod.")

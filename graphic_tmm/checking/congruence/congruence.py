@@ -24,6 +24,7 @@ from graphic_tmm.checking.congruence.lengths import (
     Read,
     lengths_of,
     middle,
+    per_mm,
     rates_of,
     spread_of,
     values_of,
@@ -225,7 +226,7 @@ class Congruence:
         """Yield a row for each scale factor of the scene, as the template has them."""
         for plan, symbols in self.remaking.symbols.items():
             for symbol, group in symbols.items():
-                yield Taken(plan, "", plain(symbol), value=group.mu, unit=_per_mm(group.unit))
+                yield Taken(plan, "", plain(symbol), value=group.mu, unit=per_mm(group.unit))
 
     def _order(self, group: Group) -> tuple[int, str, float]:
         plans = [*dict.fromkeys(plan for plan, _, _ in (*self.spots, *self.due))]
@@ -303,7 +304,7 @@ class Congruence:
             symbol,
             group.mu if one.times == 1.0 else float(f"{group.mu / one.times:.4g}"),
             group.mu,
-            _per_mm(group.unit),
+            per_mm(group.unit),
             one.by,
             one.agree,
             one.among,
@@ -311,10 +312,6 @@ class Congruence:
             own,
             against,
         )
-
-
-def _per_mm(unit: str) -> str:
-    return f"({unit})/mm" if "/" in unit or "·" in unit else f"{unit or '1'}/mm"
 
 
 def _as_stated(stated: Stated, found: Verdict) -> Verdict:

@@ -38,6 +38,11 @@ class Group(NamedTuple):
         return self.plan, self.unit
 
 
+def per_mm(unit: str) -> str:
+    """Return the unit of the scale factor to which something is drawn."""
+    return f"({unit})/mm" if "/" in unit or "·" in unit else f"{unit or '1'}/mm"
+
+
 class Read(NamedTuple):
     """A length as it was read and as it is due, mm; what it stands for (NaN where that was not written).
 

@@ -13,7 +13,7 @@ import numpy as np
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Length, Number
 from graphic_tmm.checking.cells import Key, cells, points
-from graphic_tmm.checking.congruence.lengths import Group
+from graphic_tmm.checking.congruence.lengths import Group, per_mm
 from graphic_tmm.drawn import Drawn, DrawnScene, read_log, view_scales
 from graphic_tmm.readers.columns import unit_of_value
 
@@ -60,9 +60,18 @@ class Remaking:
         return own[0] if len(own) == 1 else None
 
     def symbol(self, group: Group) -> str:
-        """Return the letter of the scale factor of a group; "μ" of several."""
+        """Return the letter of the scale factor of a group, or of one that follows from it; "μ" of several."""
         mark = self.factor(group)
-        return "μ" if mark is None or not is_scale(mark) else mark.name
+        if mark is None or not is_scale(mark):
+            return "μ"
+        scales = [item for drawn in self.made.boards for item in drawn.scales.items()]
+        follow = [
+            scale.symbol
+            for view, scale in scales
+            if view == f"{group.plan} {scale.symbol}"
+            and scale.unit == per_mm(group.unit) != mark.unit
+        ]
+        return follow[0] if follow else mark.name
 
     @cached_property
     def symbols(self) -> Mapping[str, Mapping[str, Group]]:
@@ -76,9 +85,11 @@ class Remaking:
         """Return the scene drawn exactly, plans so many times as large; ``places``: in single positions.
 
         Of several scale factors that a length depends on those change that leave the other plans as they are.
+        Plans of the same scale factors are alike, where nothing is told of one of them.
         """
         used = [group for group in dict.fromkeys(self.groups.values()) if any(group.powers)]
-        wanted = np.array([np.log(times.get(group, 1.0)) for group in used])
+        alike = {group.powers: own for group, own in times.items()}
+        wanted = np.array([np.log(times.get(k, alike.get(k.powers, 1.0))) for k in used])
         by = np.array([group.powers for group in used], dtype=float)
         changes = np.linalg.lstsq(by, wanted, rcond=None)[0]
         boards = list(self.made.boards)

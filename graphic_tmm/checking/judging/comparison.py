@@ -12,14 +12,13 @@ import numpy as np
 from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Length, Number, Point
 from graphic_tmm.checking.cells import RESULTS, Cell, Key, cells, longest, points, taken_figure
-from graphic_tmm.checking.judging.equivalents import Off, crossing, offs, ways_of
+from graphic_tmm.checking.judging.equivalents import Limb, Off, crossings, offs, ways_of
 from graphic_tmm.checking.judging.own_errors import Grain, Run, apart, exact, read_of, run
 from graphic_tmm.checking.judging.step_scatter import share_of_slip
 from graphic_tmm.checking.judging.taken_marks import as_marks, scale_of, steps_of
 from graphic_tmm.checking.judging.yardstick import Yardstick
 from graphic_tmm.checking.records import FINE, Taken
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.readers.columns import Crossed, Readings
 
 MOST_USUAL, FEW, MUCH_WORSE = 1.6, 20, 1.6
 """Of a hand's own errors four of five are below 1.3 times the usual one (of the larger of two: 1.6). Fewer
@@ -202,8 +201,7 @@ class Comparison:
         due = complex(_single(self.run.due[step.it], place))
         off = abs(taken.spot - self.spots[taken.key])
         placed = self.by.spread[taken.at].verdict(off, 0.0) == FINE
-        crossed = (crossing(one) for one in self._crossings.get(step.it, ()))
-        for way in (*ways_of(step, self.lines), *crossed):
+        for way in (*ways_of(step, self.lines), *self._crossings.get(step.it, ())):
             if not all(mark.slot in values for limb in way for mark in (limb.centre, *limb.of)):
                 continue
             yield offs(
@@ -217,14 +215,9 @@ class Comparison:
             )
 
     @cached_property
-    def _crossings(self) -> Mapping[Mark, tuple[Crossed, ...]]:
+    def _crossings(self) -> Mapping[Mark, tuple[tuple[Limb, Limb], ...]]:
         work = self.made.mechanism
-        chapters = () if work is None else work.project.chapters
-        found: dict[Mark, tuple[Crossed, ...]] = {}
-        for chapter in chapters:
-            assert work is not None
-            found |= Readings.of(chapter).crossings(work.project)
-        return found
+        return {} if work is None else crossings(work.project)
 
     @cached_property
     def lines(self) -> Mapping[Mark, Step]:

@@ -21,7 +21,8 @@ from graphic_tmm.board.record import Mark, Step
 from graphic_tmm.board.values import Arc, Line
 from graphic_tmm.checking.judging import slips
 from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited
-from graphic_tmm.readers.columns import Crossed
+from graphic_tmm.project import Project
+from graphic_tmm.readers.columns import Crossed, Readings
 
 RAY, ARC, LINE = "ray", "arc", "line"
 WAYS: Mapping[str, tuple[tuple[str, str], ...]] = {
@@ -77,7 +78,16 @@ def ways_of(step: Step, lines: Mapping[Mark, Step]) -> tuple[tuple[Limb, Limb], 
     return tuple(found)
 
 
-def crossing(lines: Crossed) -> tuple[Limb, Limb]:
+def crossings(project: Project) -> dict[Mark, tuple[tuple[Limb, Limb], ...]]:
+    """Return of points the other pairs of lines that meet there, as chapters know them."""
+    found: dict[Mark, tuple[tuple[Limb, Limb], ...]] = {}
+    for chapter in project.chapters:
+        told = Readings.of(chapter).crossings(project)
+        found |= {mark: tuple(map(_crossing, lines)) for mark, lines in told.items()}
+    return found
+
+
+def _crossing(lines: Crossed) -> tuple[Limb, Limb]:
     """Return two lines, of which one goes through two points, or one along a line, as conditions."""
     (first, to), (second, end) = lines
     return Limb(LINE, first, (to,)), Limb(LINE, second, (end,))

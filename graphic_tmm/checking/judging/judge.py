@@ -195,15 +195,17 @@ def _agreed(drawing: Comparison, taken: Taken, length: Taken) -> _Own | None:
 def _strict(drawing: Comparison, taken: Taken, verdicts: Mapping[Taken, str]) -> bool:
     """Whether only what earlier readings make of a reading counts.
 
-    Always of a point; of what is calculated, if they are right.
+    Always of a point; of what is calculated, or measured between points that were read, if they are right.
     """
     if taken.pointed:
         return True
-    if drawing.length_of(taken) is None and not (
+    sources = list(drawing.sources(taken))
+    measured = drawing.length_of(taken) is None and not (
         _rate(drawing, taken) or drawing.calculated(taken)
-    ):
+    )
+    if measured and not (sources and all(one.pointed for one in sources)):
         return False
-    return all(verdicts.get(one) == FINE for one in drawing.sources(taken))
+    return all(verdicts.get(one) == FINE for one in sources)
 
 
 def _other_sense(drawing: Comparison, taken: Taken) -> bool:

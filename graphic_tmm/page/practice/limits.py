@@ -18,7 +18,7 @@ from graphic_tmm.checking.cells import Cell
 from graphic_tmm.checking.check import TRIALS
 from graphic_tmm.checking.judging import equivalents, step_scatter
 from graphic_tmm.checking.judging.own_errors import Run, run_log
-from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited_figure
+from graphic_tmm.checking.judging.scatter import Limits, Scatter, limited, limited_figure
 from graphic_tmm.checking.judging.step_scatter import StepScatter, scatters_of
 from graphic_tmm.checking.judging.taken_marks import Reader, reader
 from graphic_tmm.page.practice.tasks import PoseRow
@@ -126,11 +126,17 @@ def reader_of(scene: Scene) -> dict[str, Any]:
 
 
 def manner(
-    scene: Scene, row: PoseRow, named: Named, name: str, plans: Sequence[str]
+    scene: Scene,
+    row: PoseRow,
+    named: Named,
+    name: str,
+    plans: Sequence[str],
+    crossed: Collection[Mark] = (),
 ) -> dict[str, Any]:
     """Return the limits of the hand, read in one manner; ``plans``: as the page counts them.
 
-    ``own``: of a plan read alone; ``with``: by the numbers of those before it whose points are read too.
+    ``own``: of a plan read alone; ``with``: by the numbers of those before it whose points are read too;
+    ``placed``: of points that other lines lead to (``crossed``) how far off one stands where it is due.
     """
     hand = HANDS[HAND]._replace(trials=TRIALS, seed=scene.seed)
     by = reader(scene, hand, MANNERS[name])
@@ -139,6 +145,7 @@ def manner(
     own: dict[str, Any] = {}
     beside: dict[str, Any] = {}
     total: dict[str, Any] = {}
+    placed: dict[str, list[float]] = {}
     for one in row.own or (row,):
         drawn = drawings(one, read, scene)
         for plan, others in _together(list(one.places), whole=whole):
@@ -148,12 +155,27 @@ def manner(
             for mark in (m for m in read if m.view == plan):
                 rows = [found.get((mark, at)) for at in one.places[plan]]
                 _append(to, str(mark.slot), _own(rows, pointed=named[mark][0] == "point"))
+        for mark in (m for m in read if m in crossed):
+            near = _placed(one, mark, named[mark][2], drawn[mark], by)
+            placed[str(mark.slot)] = [*placed.get(str(mark.slot), []), *near]
         for plan in one.places if whole else ():
             spread = total_limits(one, plan, named, drawn, by)
             for mark in (m for m in read if m.view == plan and named[m][0] != "point"):
                 figures = [spread.get((mark, at)) for at in one.places[plan]]
                 _append(total, str(mark.slot), _total(figures))
-    return {"pointing": by.pointing, "own": own, "with": beside, "total": total}
+    return {"pointing": by.pointing, "own": own, "with": beside, "total": total, "placed": placed}
+
+
+def _placed(row: PoseRow, mark: Mark, name: str, drawn: Any, by: Reader) -> list[float]:
+    """Return from where on the place of a point is doubtful, position by position."""
+    due = np.broadcast_to(_exact(row, mark), (1, len(row.names)))[0]
+    found = []
+    for place in row.places[mark.view]:
+        spots = drawn[:, place]
+        key = (mark.view, name, row.names[place])
+        read = by.pointed(spots[np.isfinite(spots)][:, None], "|".join(key))[:, 0]
+        found.append(limited(np.sort(np.abs(read - due[place])), Limits()).doubtful)
+    return bounds(found)
 
 
 def _together(plans: Sequence[str], *, whole: bool) -> Iterator[tuple[str, tuple[str, ...]]]:

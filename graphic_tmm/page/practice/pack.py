@@ -18,7 +18,7 @@ from graphic_tmm.board.source import defaults
 from graphic_tmm.board.values import KINDS, Number, Side
 from graphic_tmm.checking.cells import cells, longest, points
 from graphic_tmm.checking.judging import slips
-from graphic_tmm.checking.judging.equivalents import ways_of
+from graphic_tmm.checking.judging.equivalents import Limb, crossings, ways_of
 from graphic_tmm.checking.judging.own_errors import parts_of
 from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
@@ -85,6 +85,11 @@ class Packing:
         """The scale factors of the views."""
         return frozenset(one.scale for one in self.row.log.views if one.scale is not None)
 
+    @cached_property
+    def crossings(self) -> Mapping[Mark, Sequence[tuple[Limb, Limb]]]:
+        """By a point the other pairs of lines that meet there."""
+        return crossings(self.row.work.project)
+
     def marks(self) -> list[Mark]:
         """Return all marks that the steps speak of, in the order of the log."""
         found = {m.slot: m for step in self.steps for m in (step.it, *step.uses)}
@@ -117,7 +122,8 @@ class Packing:
             "tasks": [task for plan in practised for task in self.tasks(plan, views)],
             "reader": reader_of(self.made.scene),
             "manners": {
-                name: manner(self.made.scene, row, self.named, name, self.plans) for name in MANNERS
+                name: manner(self.made.scene, row, self.named, name, self.plans, self.crossings)
+                for name in MANNERS
             },
         }
 
@@ -167,7 +173,7 @@ class Packing:
         """Return the other ways in which the point of a step can be found, where there are any."""
         ways = [
             [[limb.kind, limb.centre.slot, *(mark.slot for mark in limb.of)] for limb in way]
-            for way in ways_of(step, self.lines)
+            for way in (*ways_of(step, self.lines), *self.crossings.get(step.it, ()))
         ]
         return {"ways": ways} if ways else {}
 
@@ -197,7 +203,8 @@ class Packing:
         steps = [step for step in self.steps if step.it.view == plan]
         pole = self.row.log.view(plan)
         for at in self.row.places[plan]:
-            here = [step for step in steps if self.row.there(step.it, at)]
+            there = [step for step in steps if self.row.there(step.it, at)]
+            here = [step for step in there if step not in self.row.free]
             if not any(step.it in self.named for step in here):
                 continue
             made = {step.it for step in here}
@@ -216,7 +223,12 @@ class Packing:
                 "whole": sizes_for_page(
                     [due.get((plan, self.row.names[at]), self.reach(here, at))]
                 )[0],
-            } | ({"pose": True} if at >= self.count else {})
+            } | self._more(there, at)
+
+    def _more(self, there: Sequence[Step], at: int) -> dict[str, Any]:
+        """Return what only some tasks have: lines that may be drawn besides, that it is a pose."""
+        free = [step.it.slot for step in there if step in self.row.free]
+        return ({"free": free} if free else {}) | ({"pose": True} if at >= self.count else {})
 
     def goal(self, plan: str, at: int, steps: Sequence[Step]) -> str:
         """Return what the task is, as mark-up: the plan, its position, what of it a check reads."""

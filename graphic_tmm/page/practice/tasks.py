@@ -11,12 +11,15 @@ from typing import Any
 import numpy as np
 
 from graphic_tmm.board.execute import Reading, execute, needed
+from graphic_tmm.board.geometry import wedge
+from graphic_tmm.board.operations.instruments import join, parallel
 from graphic_tmm.board.record import Construction, Mark, Step
 from graphic_tmm.board.script import Script
 from graphic_tmm.board.source import NotCompiled
-from graphic_tmm.board.values import Length, Number, Point, Reals, arrays, undefined
+from graphic_tmm.board.values import Length, Line, Number, Point, Reals, arrays, undefined
 from graphic_tmm.board.values import given as as_value
 from graphic_tmm.checking.cells import cells, pointed, points
+from graphic_tmm.checking.judging.equivalents import crossings
 from graphic_tmm.checking.judging.own_errors import alone
 from graphic_tmm.checking.judging.taken_marks import steps_of
 from graphic_tmm.drawn import Drawn, DrawnScene
@@ -29,6 +32,7 @@ class PoseRow:
 
     ``given``: what is given there; ``places``: the positions (indices) in which each plan is practised;
     ``own``: the rows of which it is made, each drawn by itself by a hand; () of one that is made of no others.
+    ``free``: lines behind the log that may be drawn besides: they lead to a point as well as its own.
     """
 
     work: Drawn
@@ -37,6 +41,7 @@ class PoseRow:
     names: Sequence[str]
     places: Mapping[str, Sequence[int]]
     own: tuple[PoseRow, ...] = ()
+    free: tuple[Step, ...] = ()
 
     @cached_property
     def steps(self) -> tuple[Step, ...]:
@@ -70,10 +75,54 @@ def sheet_row(made: DrawnScene) -> PoseRow | None:
     if work is None:
         return None
     plans = {step.it.view for step in work.construction.steps} & set(pointed())
-    places = {plan: work.row(plan) for plan in pointed() if plan in plans and work.row(plan)}
+    shown = {plan: work.project.told.get(plan, frozenset(work.row(plan))) for plan in plans}
+    places = {
+        plan: at
+        for plan in pointed()
+        if plan in plans and (at := [k for k in work.row(plan) if k in shown[plan]])
+    }
     if not places:
         return None
-    return PoseRow(work, work.construction, work.given, work.names, places)
+    free = tuple(_other_lines(work))
+    log, size = work.construction, work.construction.size + len(free)
+    log = log._replace(steps=(*log.steps, *free), size=size)
+    return PoseRow(work, log, work.given, work.names, places, free=free)
+
+
+def _other_lines(work: Drawn) -> Iterator[Step]:
+    """Yield the lines that other constructions of points draw, behind the log, each once."""
+    log = work.construction
+    drawn = [step.it for step in log.steps if step.it.kind is Line]
+    by = {step.it: step for step in log.steps}
+    tried = dict.fromkeys(
+        (limb.centre, *limb.of)
+        for ways in crossings(work.project).values()
+        for way in ways
+        for limb in way
+    )
+    for first, second in tried:
+        straight = second.kind is Line
+        end = (
+            second.letter[1:-1].removeprefix(by[second].uses[0].letter)
+            if straight
+            else second.letter
+        )
+        mark = Mark(log.size, f"({first.letter}{end})", Line, first.view)
+        step = Step(parallel if straight else join, mark, (first, second), {}, "")
+        longer = log._replace(steps=(*log.steps, step), size=log.size + 1)
+        own = [one for one in drawn if one.view == first.view]
+        reading = execute(longer, work.given, [mark, *own])
+        if not any(_is_one(reading[mark], reading[other]) for other in own):
+            log, drawn = longer, [*drawn, mark]
+            yield step
+
+
+def _is_one(first: Line, second: Line) -> bool:
+    """Whether two lines are one wherever both are there."""
+    turn = np.abs(wedge(first.along, second.along))
+    off = np.abs(wedge(first.along, second.at - first.at))
+    there = np.isfinite(turn + off)
+    return bool(there.any()) and bool((turn + off)[there].max() < ONE_LINE)
 
 
 def with_others(row: PoseRow, other: PoseRow) -> PoseRow:
@@ -96,7 +145,7 @@ def with_others(row: PoseRow, other: PoseRow) -> PoseRow:
         for plan, at in row.places.items()
     }
     names = (*row.names, *other.names)
-    return PoseRow(row.work, row.log, given, names, places, (row, other))
+    return PoseRow(row.work, row.log, given, names, places, (row, other), row.free)
 
 
 def written(script: Script, steps: Iterable[Step]) -> dict[str, Any]:
@@ -128,6 +177,8 @@ def readable(made: DrawnScene) -> dict[Mark, tuple[str, str, str, str]]:
     return found
 
 
+ONE_LINE = 1e-6
+"""Lines that differ by less, mm, or in direction, are one."""
 APART = 5
 """So many degrees a pose is from an angle that cannot be drawn, at least."""
 SHORT = 4.0

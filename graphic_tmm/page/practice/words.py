@@ -28,7 +28,8 @@ WORDS: dict[str, str] = {
     "meeting takes": said("Point where two meet: lines or arcs."),
     "figure": said("Similar"),
     "figure takes": said(
-        "Similar figure: two points of the plan, and the point of the link whose image is sought."
+        "Similar figure: two points of the plan, and the point of the link whose image is sought; or the point "
+        "that is carried over."
     ),
     "reading": said("Measure"),
     "reading takes": said("Measure: from which point to which."),

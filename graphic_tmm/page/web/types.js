@@ -102,8 +102,9 @@
  *   plain text, its kind, its plan (index in `plans`), its unit, whether it is the scale factor of a plan
  * @typedef {["line" | "arc" | "met" | "laid" | "place", number, number]} Part what a point may be off: of which
  *   kind, the mark of the step that is blamed, the number of the mark among what the point's step uses
- * @typedef {["ray" | "arc", number, ...number[]]} Limb one of two conditions that fix a point in another way than its
- *   step's: of which kind, about which mark, by a length measured between which two (checking/judging/equivalents.py)
+ * @typedef {["ray" | "arc" | "line", number, ...number[]]} Limb one of two conditions that fix a point in another way than its
+ *   step's: of which kind, about which mark, by a length measured between which two; of a line the point or the line it
+ *   goes through (checking/judging/equivalents.py)
  * @typedef {{it: number, op: string, uses: number[], choice?: number[], choices?: string[], measures?: boolean,
  *   parts?: Part[], ways?: [Limb, Limb][], read?: Reading, text?: Run[], why?: Run[], formula?: string, tool?: string, hand?: string, sides?: [string, string]}} PracticeStep
  *   `choice`: by `choices`, their names; `measures`: it reads what is drawn; `read`: what `check` reads of it, by which name; without it nothing does. `text`, `why`: its sentence and reason;
@@ -111,10 +112,10 @@
  *   `sides`: what +1 and −1 of its side, or of its choice, are called. Only steps of practice have these
  * @typedef {{as: "point" | "length" | "rate", name: string, key: string, unit: string}} Reading a row of a check: what
  *   it gives, plan, segment, the unit of a rate
- * @typedef {{plan: number, at: number, view: number, sheet: number, origin: [number, number], steps: number[],
+ * @typedef {{plan: number, at: number, view: number, sheet: number, origin: [number, number], steps: number[], free?: number[],
  *   shown: number[], pole: number, whole: number, goal: string, pose?: boolean}} Task a plan in a position: `goal` in words, `view` of the page that
  *   shows it (-1: none), its sheet, where its origin lies on that (mm, y downward), the marks that are to be made, in the order of
- *   the log, those of other plans that they need, its pole (-1: none), its longest vector in mm; a `pose` is at an angle
+ *   the log, `free`: lines that may be drawn besides, those of other plans that they need, its pole (-1: none), its longest vector in mm; a `pose` is at an angle
  *   of the crank that no sheet has
  * @typedef {{b: number[][], d: number[], w: number[], s?: number[][], m?: number[]}} OwnLimit by position (its index
  *   in `at`): the sizes of the errors that a hand makes, part by part; from where on in these an error is doubtful,
@@ -122,8 +123,8 @@
  * @typedef {{d: number[], w: number[], t: number[]}} TotalLimit by position: from where on a deviation is doubtful,
  *   wrong, and how many times too large is absurd (a logarithm; -1: nothing)
  * @typedef {{pointing: number, own: Record<string, OwnLimit>, with: Record<string, Record<string, OwnLimit>>,
- *   total: Record<string, TotalLimit>}} Manner how a drawing is read, and the limits of the hand then; `with`: where
- *   points of other plans before that one are read too, by the numbers of these
+ *   total: Record<string, TotalLimit>, placed: Record<string, number[]>}} Manner how a drawing is read, and the limits of the hand then; `with`: where
+ *   points of other plans before that one are read too, by the numbers of these; `placed`: by position, within which a point that other lines lead to is where it is due
  * @typedef {{half: number, reading: number, swing: number, compass: number, prick: number, digits: number,
  *   wrong: number, pair: {doubtful: number, wrong: number}, sine: number,
  *   shares: number[], few: number, most: number, sure: number}} Reader who reads: half a division of the ruler, the

@@ -17,7 +17,7 @@ from graphic_tmm.readers.writing import ANGLE, LENGTH
 
 Points = Mapping[tuple[str, int], Complexes]
 """Of a letter on a link, x + iy in the frame's axes, (angle,)."""
-OF_LINKS = ("omega", "epsilon", "forces", "balance", "columns", "profile", "centres")
+OF_LINKS = ("omega", "epsilon", "forces", "balance", "columns", "profile", "centres", "analogues")
 """What is told of links, and of boards of their own."""
 COMPONENTS = {"places": "", "velocities": "v", "accelerations": "a"}
 """Names of a point's components in a data frame: D.x, D.vx, D.ax."""
@@ -122,6 +122,9 @@ class Motion:
         In the frame's axes, m, x + iy: instantaneous centres, ``P20``; of a link whose curvature is asked for
         ``P``, ``Π``, its pole of accelerations, ``K_0``, the centre of curvature of the path of K. NaN where
         they are infinitely far; those that always are are left out.
+    analogues
+        Of points of [hodograph], in the frame's axes, m, x + iy: ``dS_K`` and ``ddS_K``, the first and the
+        second derivative of the place of K by the turn of the crank, radians in its own sense.
     """
 
     at: Reals
@@ -136,6 +139,7 @@ class Motion:
     columns: Mapping[str, Reals]
     profile: Mapping[str, Complexes]
     centres: Mapping[str, Complexes]
+    analogues: Mapping[str, Complexes]
 
     @property
     def angles(self) -> Reals:
@@ -197,7 +201,7 @@ class Motion:
         pandas.DataFrame
             ``angle_deg``, or ``length_m`` where the drive slides; of points ``D.x``, ``D.y``, ``D.vx``,
             ``D.vy``, ``D.ax``, ``D.ay``, where links differ in theirs ``D(5).x``; ``omega3``, ``epsilon3``;
-            ``R12.x``, ``R12.y``; the balance; ``P20.x``; of other chapters their columns.
+            ``R12.x``, ``R12.y``; the balance; ``P20.x``; ``dS_K.x``; of other chapters their columns.
 
         Raises
         ------
@@ -212,7 +216,7 @@ class Motion:
                     found |= _components(f"{name}.{of}", values[letter, link])
         found |= {f"omega{link}": row for link, row in self._of("omega").items()}
         found |= {f"epsilon{link}": row for link, row in self._of("epsilon").items()}
-        for name, row in {**self._of("forces"), **self.profile, **self.centres}.items():
+        for name, row in {**self._of("forces"), **self._own}.items():
             found |= _components(f"{name}.", row)
         found |= self.columns
         return needed("pandas", "pandas").DataFrame({**found, **self._of("balance")})
@@ -220,6 +224,10 @@ class Motion:
     def _of(self, quantity: str) -> Mapping[Any, Any]:
         """Return the arrays of a quantity; none if it was not computed."""
         return getattr(self, quantity) or {}
+
+    @property
+    def _own(self) -> Mapping[str, Complexes]:
+        return {**self.profile, **self.centres, **self.analogues}
 
     @property
     def _points(self) -> dict[tuple[str, int], Any]:

@@ -84,7 +84,9 @@ def in_row(turned: Reals, way: float) -> Reals:
 
 Plan = Literal["positions", "velocities", "accelerations", "forces"]
 """The plans that `motion` takes, by the place of a sheet that shows them."""
-OwnPlan = Literal["cam", "arc_cam", "planetary", "gears", "centres", "centrodes", "curvature"]
+OwnPlan = Literal[
+    "cam", "arc_cam", "planetary", "gears", "centres", "centrodes", "curvature", "hodograph"
+]  # fmt: skip
 """Those of chapters by their own names; of boards of their own it takes one."""
 Quantity = Literal[
     "places",
@@ -97,6 +99,7 @@ Quantity = Literal[
     "columns",
     "profile",
     "centres",
+    "analogues",
 ]
 """The quantities at any angle: of a mechanism, and of other chapters by their names."""
 PLAN_OF: Mapping[Quantity, Plan | None] = {
@@ -110,10 +113,11 @@ PLAN_OF: Mapping[Quantity, Plan | None] = {
     "columns": None,
     "profile": None,
     "centres": None,
+    "analogues": None,
 }
 """The plan of kinematics or forces that gives a quantity; None of those of other chapters."""
 VECTORS: frozenset[Quantity] = frozenset(
-    {"places", "velocities", "accelerations", "forces", "profile", "centres"}
+    {"places", "velocities", "accelerations", "forces", "profile", "centres", "analogues"}
 )
 """Those that are x + iy."""
 Key = tuple[str, int] | int | str

@@ -12,12 +12,13 @@ import numpy as np
 import pytest
 
 import graphic_tmm as tmm
+from graphic_tmm.chapters.centres.ink import letters_of_arrows
 from graphic_tmm.chapters.centres.network import GUIDE, IMAGE, LINES, NORMALS, PARALLEL, PIN, RATES
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN, Centres
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN, Centres
 from graphic_tmm.chapters.centres.views import centre_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError
-from graphic_tmm.paper.drawing import Stroke
+from graphic_tmm.paper.drawing import Stroke, Wanted
 from graphic_tmm.scene.captions import captions
 from graphic_tmm.studio import make
 
@@ -98,7 +99,10 @@ def test_the_four_bar_of_the_survey() -> None:
 
 
 def test_a_published_four_bar() -> None:
-    """Khurmi and Gupta, Theory of Machines, example 6.1: P_20 B is measured as 500 mm, ω_2 = 6.282 rad/s."""
+    """Khurmi and Gupta, Theory of Machines, example 6.1: P_20 B is measured as 500 mm, ω_2 = 6.282 rad/s.
+
+    The task stands so at askfilo.com and github.com/carnot/logj/wiki/Chapter-6; the readings are from memory.
+    """
     scene = four_bar(0.3, 0.36, 0.36, 0.6, drive=drive("100 rpm", turns="clockwise"))
     found, _ = drawn_of(scene)
     away = abs(place_of(found, "P_{20}") - cmath.rect(0.3, math.radians(60)))
@@ -201,7 +205,7 @@ def test_several_drives_by_normals_to_velocities(turned: bool) -> None:
     assert made.driver == 0
     for one in made.rotations:
         if one.omega is not None and one.plan is not None:
-            own, due = found.reading[one.omega], np.abs(found.reading[one.plan])
+            own, due = found.reading[one.omega], found.reading[one.plan]
             np.testing.assert_allclose(own, due, rtol=1e-9)
 
 
@@ -225,6 +229,17 @@ def test_a_sheet_shows_scheme_polygon_and_tables(language: str) -> None:
     sides = [one for one in strokes if len(one.path) == 2 and not one.closed]
     assert len(sides) == len(made.centres) == 6
     assert captions(language)["centres polygon"] in views[1].title
+
+
+def test_arrows_to_one_centre_share_the_letter_with_most_room() -> None:
+    """Two arrows 3 mm apart, one of them close to another's."""
+    every = [
+        Wanted(text, at, 3.5)
+        for text, at in (("P50", 0j), ("P20", 4 + 0j), ("P20", 7 + 0j), ("P20", 40j))
+    ]
+    assert [(one.text, one.at) for one in letters_of_arrows(every)] == [
+        ("P50", 0j), ("P20", 7 + 0j), ("P20", 40j)
+    ]  # fmt: skip
 
 
 def test_the_scale_can_be_given(tmp_path: Path) -> None:

@@ -14,7 +14,7 @@ from support.random_mechanisms import drawn
 
 import graphic_tmm as tmm
 from graphic_tmm.board.execute import execute
-from graphic_tmm.chapters.centres.plan import CENTRES_PLAN
+from graphic_tmm.chapters.centres.record import CENTRES_PLAN
 from graphic_tmm.chapters.centres.task import ASKED, CentresTask
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.mechanism.records import Row
@@ -107,8 +107,6 @@ def _velocities(project: Project, moving: Moving, place: int, origin: complex) -
             assert abs(due) <= CLOSE * rates
         elif one.omega is not None and not one.alike:
             value = _at(reading[one.omega], place).real
-            if one.by_point:
-                value, due = abs(value), abs(due)
             if value == value:
                 assert abs(value - due) <= 1e-7 * rates, (one, value, due)
     for speed in made.speeds:

@@ -14,7 +14,7 @@ from support.turns import in_turn
 import graphic_tmm
 from graphic_tmm.board.operations.curve import bezier
 from graphic_tmm.chapters.centrodes.findings import slipping
-from graphic_tmm.chapters.centrodes.plan import CENTRODES_PLAN, Centrodes
+from graphic_tmm.chapters.centrodes.record import CENTRODES_PLAN, Centrodes
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import SceneError, StructureError
 from graphic_tmm.readers.findings import warnings
@@ -319,3 +319,33 @@ def test_angles_of_nothing_are_not_told(tmp_path: Path) -> None:
     assert cmath.isnan(complex(drawn.reading[made.touch][0, 0]))
     told = warnings(drawn, "en")
     assert any("write another position for at" in one for one in told)
+
+
+def way_of_centre(of: FourBar, phi: float) -> tuple[complex, complex]:
+    """P and dP/dφ, exact: P lies on OA and on BD, or on the normal to the guide; a complex step of that."""
+    step = 1e-30
+    ax, ay, bx, by = of.pins(phi + 1j * step)
+    wx = bx - of.frame
+    share = bx / ax if isinstance(of, Slider) else of.frame * by / (ax * by - ay * wx)
+    x, y = ax * share, ay * share
+    return complex(x.real, y.real), complex(x.imag, y.imag) / step
+
+
+@pytest.mark.parametrize("k", in_turn(range(36), 6))
+def test_drawn_tangents_are_the_way_of_the_centre(tmp_path: Path, k: int) -> None:
+    """Both centrodes go where P goes, for the link stands still in P; with the fourth power of the interval."""
+    of, zero, off = some(k), 4.0, dict[int, list[float]]()
+    place, way = way_of_centre(of, math.radians(zero))
+    judged = centre(of, math.radians(zero))[0]
+    assert place == pytest.approx(judged, abs=1e-11 * abs(judged) * max(1.0, abs(judged) / of.rod))
+    for count in (144, 288):
+        drawn, (made,) = made_of(tmp_path, of.text(count, zero))
+        tangents = [drawn.reading[side.tangent] for side in made.sides]
+        off[count] = [abs(math.sin(cmath.phase(complex(t.along[0, 0]) / way))) for t in tangents]
+        for tangent in tangents:
+            assert complex(tangent.at[0, 0]) * drawn.value(made.mu) == pytest.approx(
+                place, abs=1e-9 * abs(place) * max(1.0, abs(place) / of.rod)
+            )
+    for coarse, fine in zip(off[144], off[288], strict=True):
+        assert fine < 1e-5
+        assert fine < 1e-7 or 12.0 < coarse / fine < 20.0

@@ -12,7 +12,10 @@ import graphic_tmm
 from graphic_tmm.chapters.curvature.record import CURVATURE_PLAN
 from graphic_tmm.chapters.curvature.scales import FAR
 from graphic_tmm.chapters.curvature.task_sheet import asks
+from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_plan
 from graphic_tmm.errors import TmmError
+from graphic_tmm.paper.seen import Subject
+from graphic_tmm.readers.table import columns_of
 from graphic_tmm.studio import make
 
 SCENE = graphic_tmm.read("coupler-curvature")
@@ -119,3 +122,52 @@ def test_a_value_is_its_segment_times_mu() -> None:
             there = np.isfinite(column.mm[0])
             np.testing.assert_allclose(column.value[0, there], column.mm[0, there] * mu, rtol=1e-11)
             assert [*np.flatnonzero(np.isfinite(column.value[0]))] == [1]
+
+
+def test_a_path_that_rows_ask_for_is_read_once() -> None:
+    """`[rows] paths` and [curvature] of one point: the normal part stands once on the plan, ρ is the same."""
+    scene = {**slider(points=["K"], positions=[1], circles=False), "rows": {"paths": ["K"]}}
+    scene["drive"]["accelerations"] = [1]
+    drawn = make(graphic_tmm.read(scene)).boards[0]
+    named = [step.it.letter for step in drawn.construction.steps]
+    assert [named.count(name) for name in ("(v_{K})", "(n_{k})", "n_{k}", "t_{k}")] == [1, 1, 1, 1]
+    rows = {(one.plan, one.segment): one.value[0] for one in columns_of(drawn)}
+    assert rows["curvature", "rhoK"][1] == rows["accelerations", "rhoK"][1] > 0.0
+
+
+@pytest.mark.parametrize("rows", [{}, {"paths": ["K"]}], ids=["curvature", "rows"])
+def test_parts_of_an_acceleration_are_drawn_on_its_plan(rows: dict[str, Any]) -> None:
+    """πk is squared off on the normal to pk, from which ρ is read: to a foot with its letter; so is a row's."""
+    scene = slider(link=2, positions=[2])
+    scene["drive"]["accelerations"] = [2]
+    if rows:
+        scene |= {"rows": rows}
+        del scene["curvature"]
+    board = make(graphic_tmm.read(scene)).boards[0]
+    log, reading = board.construction, board.of("accelerations")
+    assert reading is not None
+    plan = draw_plan(Subject(log, reading, "X"), "accelerations", [Place(0)], 1.0, "m/s²")
+    parts = [
+        one
+        for one in log.steps
+        if one.op.name == "measure_along" and one.it.name in ("n_{k}", "t_{k}")
+    ]
+    assert len(parts) == (2 if rows else 1)
+    for one in parts:
+        pole, end = (complex(np.ravel(reading[mark])[0]) for mark in one.uses[:2])
+        way = complex(np.ravel(reading[one.uses[2]].along)[0])
+        foot = pole + ((end - pole) / way).real * way
+        off = abs(foot - pole) - abs(float(np.ravel(reading[one.it])[0]))
+        assert abs(off) <= 0.05 + 1e-9, "half a division of the ruler"
+        for start in (pole, end):
+            assert any(_runs(stroke, start, foot) for stroke in plan.strokes), one.it.name
+        (letter,) = (at for at in plan.wanted if at.of == (one.it.slot,))
+        assert abs(letter.at - foot) < 1e-9
+
+
+def _runs(stroke: Any, start: complex, end: complex) -> bool:
+    """Whether a thin line goes from one place to another."""
+    if stroke.pen != "thin" or len(getattr(stroke, "path", ())) != 2:
+        return False
+    places = [complex(*corner[:2]) for corner in stroke.path]
+    return max(abs(a - b) for a, b in zip(places, (start, end), strict=True)) < 1e-9

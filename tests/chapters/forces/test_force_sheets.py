@@ -165,6 +165,24 @@ def senses(view: View) -> dict[str, int]:
     return found
 
 
+def _turning(view: View) -> list[Told]:
+    """The couples that are drawn."""
+    return [s for s in view.strokes if s.data.get("unit") == "N·m" and s.number("value")]
+
+
+def about_special(view: View) -> dict[str, int]:
+    """The senses about a special point, as arrows and arms are drawn: +1 counter-clockwise."""
+    arms = {s.data["segment"]: s for s in view.strokes if "mm" in s.data}
+    found = {}
+    for force in (s for s in view.strokes if s.data.get("segment", "")[:1] in "PGFR"):
+        name = force.data["segment"]
+        one = arms.get(f"h{name}^W")
+        if one is not None and abs(one.end - one.start) >= SHORT:
+            turns = ((one.end - one.start).conjugate() * force.way).imag
+            found[name] = 1 if turns > 0 else -1
+    return found
+
+
 def check_letters(view: View, told: View) -> int:
     """Every ΣM = 0 holds by its letters with what is printed, signs as what acts is drawn.
 
@@ -174,13 +192,14 @@ def check_letters(view: View, told: View) -> int:
     exact = {figure for text in view.words for figure in re.findall(r"(?:μ_\w|k) = (\S+)", text)}
     known = {worked(figure.rstrip(",")).value for figure in exact}
     arrows = senses(view)
+    couples = {s.data["segment"]: arrows[s.data["segment"]] for s in _turning(view)}
     sizes = {text.split(" ")[0]: result(text) for text in written_out if not text.startswith("ΣM")}
     for name, size in sizes.items():
-        assert size.value >= 0.0 or re.match(r"[PM]_(ур|b)|R.*\^[τt]$", name), name
+        assert size.value >= 0.0 or re.match(r"[PM]_(ур|b)|R.*\^[τtnW]$", name), name
     for heading, given in pairwise(written_out):
         if not (heading.startswith("ΣM") and heading.endswith(" = 0")):
             continue
-        by_letters = heading.split(" = ")[1]
+        by_letters = heading.split(" = ")[1].replace("|", "")  # sizes are put in
         sought, figures = given.split(" = ")[:2]
         names = letters(by_letters)
         assert names.count(sought) == 1, heading
@@ -189,7 +208,7 @@ def check_letters(view: View, told: View) -> int:
         assert len(others) == len(numbers), (heading, given)
         put = dict(zip(others, numbers, strict=True))
         for name in put.keys() & sizes.keys():  # what is printed is what is put in
-            assert worked(put[name]).value == sizes[name].value, name
+            assert worked(put[name]).value == abs(sizes[name].value), name
         size = re.search(r" = (\S+) \S+$", given)
         assert size is not None, given
         put[sought] = size[1]
@@ -197,12 +216,12 @@ def check_letters(view: View, told: View) -> int:
         largest = max(abs(worked(written(term, put)).value) for term in _terms(by_letters))
         assert abs(left.value) <= left.half + FIGURES * largest, heading
         against = -1 if size[1].startswith("−") else 1
+        special = heading.startswith("ΣM_W")
+        turns = {**couples, **about_special(view)} if special else arrows
         for term, factors in signed(by_letters):
             sign = term * (against if sought in factors else 1)
             back = "−" if any("_(−" in name for name in factors) else ""  # the other of a pair
-            drawn_as = {
-                arrows[back + name] for name in map(called, factors) if back + name in arrows
-            }
+            drawn_as = {turns[back + name] for name in map(called, factors) if back + name in turns}
             assert drawn_as <= {sign}, (heading, factors)
         checked += 1
     return checked

@@ -14,7 +14,7 @@ from graphic_tmm.board.values import Curve
 from graphic_tmm.chapters.hodograph.findings import WARNINGS
 from graphic_tmm.chapters.hodograph.ink import draw_hodograph
 from graphic_tmm.chapters.hodograph.operations import off_tangent
-from graphic_tmm.chapters.hodograph.plan import HODOGRAPH_PLAN
+from graphic_tmm.chapters.hodograph.record import HODOGRAPH_PLAN
 from graphic_tmm.chapters.hodograph.table import angles, limits
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.drawn import Drawn
@@ -260,6 +260,14 @@ def test_without_accelerations_nothing_is_held_against_them(tmp_path: Path) -> N
     made = of(drawn)
     there = np.flatnonzero(np.isfinite(angles(drawn, made.curves[0])[0]))
     assert there.tolist() == [2, 5]
+
+
+def test_one_omega_with_an_epsilon_is_no_motion_and_no_tangent_is_held(tmp_path: Path) -> None:
+    """Else true plans of accelerations are called wrong: the row is not the hodograph of a motion."""
+    row = ROW.format(count=36, zero=20.0)
+    drawn = drawn_of(tmp_path, row=row + '\nacceleration = "60 rad/s^2"')
+    assert of(drawn).curves[0].angle is None
+    assert not list(WARNINGS.warnings(drawn, "en"))
 
 
 def test_the_figure_has_a_vector_for_each_end_and_a_closed_curve(tmp_path: Path) -> None:

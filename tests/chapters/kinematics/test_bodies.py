@@ -20,7 +20,8 @@ from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.engine.plan import _legs
 from graphic_tmm.chapters.forces.friction import joints
 from graphic_tmm.chapters.forces.lever import _base
-from graphic_tmm.chapters.forces.plan import _Figures, _solve
+from graphic_tmm.chapters.forces.cut_free import Figures
+from graphic_tmm.chapters.forces.plan import _solve
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import closures
 from graphic_tmm.chapters.kinematics.bodies import Body, Positions
@@ -125,7 +126,7 @@ WALKS: dict[str, Callable[[Board], object]] = {
     "diagrams": lambda b: sliding_leg(b.positions, "B", 0, "diagrams"),
     "engine": lambda b: _legs(b.machine, cast("Any", None), cast("Any", None)),
     "joints": lambda b: joints(b.positions.closings, driven(b.mechanism, b.structure)),
-    "figures of forces": lambda b: _Figures(b.machine),
+    "figures of forces": lambda b: Figures(b.machine),
     "forces": lambda b: _solve(b.machine, *cast("Any", (None, Empty(), Empty(), None, None))),
     "lever": lambda b: _base(
         b.draft, b.positions, b.velocities, driven(b.mechanism, b.structure), 2, 1

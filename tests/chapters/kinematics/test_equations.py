@@ -19,7 +19,7 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.ink_plans import draw_equations
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.views import acceleration_equations, velocity_equations
-from graphic_tmm.mechanism.groups import Group
+from graphic_tmm.mechanism.groups import AssurGroup, Group, PlateGroup
 from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
 from graphic_tmm.readers.table import columns_of
@@ -73,15 +73,21 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
     assert list(equations(log, "nothing")) == []
 
 
-def equated(name: str, plan: str) -> list[Group | Rolling]:
-    """Groups and, on plans of accelerations, wheels: that of velocities reads a wheel off its pitch point."""
+def equated(name: str, plan: str) -> list[AssurGroup | Rolling]:
+    """Groups and, on plans of accelerations, wheels: that of velocities reads a wheel off its pitch point.
+
+    A plate has two: that of its special point, that of its third pin.
+    """
     structure = KINEMATICS_PLAN.on(in_usual(name)).structure
-    return [*(structure.groups if plan == "velocities" else structure.attached)]
+    row = structure.groups if plan == "velocities" else structure.attached
+    return [one for group in row for one in (group,) * (1 + isinstance(group, PlateGroup))]
 
 
-def kind_of(one: Group | Rolling) -> str:
+def kind_of(one: AssurGroup | Rolling) -> str:
     if isinstance(one, Group):
         return "group"
+    if isinstance(one, PlateGroup):
+        return "plate"
     return "belted" if one.mesh.belted else "wheel"
 
 
@@ -89,7 +95,12 @@ def kind_of(one: Group | Rolling) -> str:
 def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     name: str, plan: str
 ) -> None:
-    called = {"group": "II({})", "wheel": "p4({})", "belted": "p4({}) by a flexible link"}
+    called = {
+        "group": "II({})",
+        "plate": "III({})",
+        "wheel": "p4({})",
+        "belted": "p4({}) by a flexible link",
+    }
     groups = [called[kind_of(one)].format(one.name) for one in equated(name, plan)]
     assert [e.group for e in found(name, plan)] == groups
     for equation in found(name, plan):
@@ -119,10 +130,14 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
             assert all(term.known for term in side[:-1])
             start = _lettered(log, plan, known[0].symbol[2:].strip("_{}").lower())
             total = np.abs(reading[point] - (reading[start] if start is not None else 0.0)) ** 2
-            parts = [lengths[t.symbol] for t in side if t.direction]
+            parts = [t for t in side if t.direction]
             if len(parts) > 2:
                 continue  # a rod's: its Coriolis part and the tangential one lie along one line
-            squares = sum(np.abs(reading[mark]) ** 2 for mark in parts)
+            read = [reading[lengths[t.symbol]] for t in parts if t.symbol in lengths]
+            unread = [t.marks for t in parts if t.symbol not in lengths]
+            assert all(name == "swinging-screen" for _ in unread)
+            squares = sum(np.abs(one) ** 2 for one in read)
+            squares += sum(np.abs(reading[b] - reading[a]) ** 2 for a, b in unread)
             assert np.allclose(total, squares, rtol=1e-9, atol=1e-9), equation.text
 
 
@@ -189,6 +204,7 @@ def test_no_heading_of_a_group_can_be_read_as_a_parallel(
     assert not any(text.startswith("II") for text in view)
     heads = {
         "group": {"en": "group {} of class II:", "ru": "группа {} II класса:"},
+        "plate": {"en": "group {} of class III:", "ru": "группа {} III класса:"},
         "wheel": {"en": "wheel {} with its higher pair:", "ru": "колесо {} с высшей парой:"},
         "belted": {"en": "wheel {} with its flexible link:", "ru": "колесо {} с гибкой связью:"},
     }

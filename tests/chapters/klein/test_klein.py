@@ -15,7 +15,7 @@ from support.boards import in_usual_size
 from graphic_tmm.accuracy.geometrography import elements
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.klein.accuracy import prices
-from graphic_tmm.chapters.klein.plan import KLEIN_PLAN, Figure
+from graphic_tmm.chapters.klein.record import KLEIN_PLAN, Figure
 from graphic_tmm.chapters.klein.table import columns, figure_columns, results
 from graphic_tmm.chapters.klein.task import KLEIN, RITTERHAUS, VIEWS
 from graphic_tmm.drawn import Drawn
@@ -146,10 +146,11 @@ def test_the_acceptance_figure_of_the_field(tmp_path: Path, view: str) -> None:
 
 @pytest.mark.parametrize("view", VIEWS)
 def test_a_published_figure(tmp_path: Path, view: str) -> None:
-    """Khurmi R. S., Gupta J. K., Theory of Machines, example of Klein's construction (told from memory).
+    """Khurmi R. S., Gupta J. K., Theory of Machines, example of Klein's construction (readings from memory).
 
-    Crank 200 mm, rod 700 mm, 120 rad/s, 30° from the inner dead centre; read off paper: OM 127, CM 173, QN 93,
-    NO 200 mm; of the middle of the rod 140 and 193 mm. They are within 2 % of what is exact.
+    Crank 200 mm, rod 700 mm, 120 rad/s, 30° from the inner dead centre (askfilo.com has the task so, too);
+    read off paper: OM 127, CM 173, QN 93, NO 200 mm; of the middle of the rod 140 and 193 mm. They are within
+    2 % of what is exact.
     """
     drawn = drawn_of(tmp_path, r=0.2, rod=0.7, omega=120.0, c=0.35 + 0j, at=[30.0, 40.0])
     told = {"OM": 127.0, "AM": 173.0, "QN": 93.0, "ON": 200.0, "Oc′": 140.0, "Oc″": 193.0}

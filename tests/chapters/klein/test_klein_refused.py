@@ -1,4 +1,4 @@
-"""What is no slider-crank that turns evenly is refused, with what to do."""
+"""What is no slider-crank whose crank is driven is refused, with what to do."""
 
 from __future__ import annotations
 
@@ -45,7 +45,6 @@ CHANGED = {
         "point A is no further point of the rod AB; it has C",
     ),
     "slider": ('slider = "B"', 'slider = "C"', "point C is not the slider of a slider-crank"),
-    "uneven": ("positions = 12", 'positions = 12\nacceleration = "5 rad/s^2"', "that turns evenly"),
     "stands": ("20 rad/s", "0 rad/s", "the crank stands"),
     "place": ('slider = "B"', "positions = [40]", "there is no position 40"),
     "drive": (

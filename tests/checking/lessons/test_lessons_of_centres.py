@@ -242,6 +242,7 @@ MISTAKES: Mapping[str, Mistake] = {
         says="v_C was calculated with ω_2 instead of ω_4",
     ),
     "vB with P40C": Mistake(put(found=speed("vB", "omega3", "P40C")), "vB"),
+    "P14P40 misread by 10 mm": Mistake(put(amiss=misread(10.0, "P14P40")), "P14P40"),
     "P14P40 misread by 40 mm": Mistake(
         put(amiss=misread(40.0, "P14P40")), "P14P40", "omega4 u41 vC"
     ),

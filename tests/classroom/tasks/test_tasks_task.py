@@ -129,7 +129,7 @@ def test_no_ink_of_a_plan_stands_on_a_task(name: str) -> None:
     parts = {"link", "guide", "pivot", "turning", "number", "stone", "slider", "pair", "load"}
     parts |= {"leader", "frame", "centre", "point", "rail", "joint", ""}
     parts |= {"wheel", "carrier", "contour", "circle", "axis", "sense", "dimension", "follower"}
-    parts |= {"roller", "lever", "face", "cylinder", "piston", "belt"}
+    parts |= {"roller", "lever", "face", "cylinder", "piston", "belt", "sliding"}
     for svg in sheets(name):
         root = ElementTree.fromstring(svg)
         for group in root.iter(f"{SVG}g"):
@@ -220,7 +220,7 @@ def test_the_scheme_has_the_lengths_that_are_given(name: str) -> None:
     checked = 0
     for symbol, value in given(svg).items():
         match = re.fullmatch(r"l_([A-Z]\d?)([A-Z]\d?)", symbol)
-        if match is None:
+        if match is None or "…" in value:
             continue
         due = number(value) / 1000.0 / mu
         near = [

@@ -38,7 +38,7 @@ export class Bench {
     this.log = new Log(data, task.at);
     /** What the student made. @type {Map<number, Taken | undefined>} */
     this.made = new Map();
-    this.own = new Set(task.steps);
+    this.own = new Set([...task.steps, ...(task.free ?? [])]);
     this.run = this.log.run(new Map());
   }
 
@@ -115,7 +115,7 @@ export class Bench {
    */
   drop(slot) {
     const gone = new Set([slot]);
-    for (const one of this.task.steps) {
+    for (const one of this.own) {
       if (this.whole && this.log.steps.get(one)?.uses.some((mark) => gone.has(mark))) gone.add(one);
     }
     const went = [...gone].filter((one) => this.made.delete(one));

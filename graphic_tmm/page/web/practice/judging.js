@@ -223,16 +223,18 @@ export class Judging {
   }
 
   /**
-   * Whether only what earlier readings make of a reading counts: always of a point; of what is calculated, if they
-   * are right.
+   * Whether only what earlier readings make of a reading counts: always of a point; of what is calculated, or
+   * measured between points that were read, if they are right.
    * @param {Taken} row
    * @param {Map<number, Judged>} before
    */
   strict(row, before) {
     const { slot, found } = row;
     if (typeof found !== "number") return true;
-    if (this.kind(slot) !== "rate" && !this.calculated(row)) return false;
-    return this.log.sources(slot, this.found).every((one) => before.get(one)?.verdict === "fine");
+    const sources = this.log.sources(slot, this.found);
+    const measured = this.kind(slot) !== "rate" && !this.calculated(row);
+    if (measured && !(sources.length > 0 && sources.every((one) => this.kind(one) === "point"))) return false;
+    return sources.every((one) => before.get(one)?.verdict === "fine");
   }
 }
 

@@ -23,17 +23,25 @@ const UNTOLD = ["number", "side", "angle"];
  * @returns {Match}
  */
 export function matched(bench, op, uses, choice) {
-  const steps = bench.task.steps.flatMap((slot) => bench.log.steps.get(slot) ?? []);
+  const steps = [...bench.own].flatMap((slot) => bench.log.steps.get(slot) ?? []);
   const own = steps.filter((step) => step.op === op && sameMarks(bench, step.uses, uses) && sameChoice(step, choice));
   const open = own.find((step) => !bench.made.has(step.it) && bench.ready(step.it));
   if (open !== undefined) return { slot: open.it };
   const [first] = own;
   if (first !== undefined) return { why: bench.made.has(first.it) ? "done" : "not yet", near: first.it };
   const there = uses.every((slot) => bench.value(slot) !== undefined);
-  const left = steps.filter((step) => !bench.made.has(step.it) && bench.ready(step.it));
+  const left = steps.filter((step) => !bench.made.has(step.it) && (bench.ready(step.it) || isCrossed(step)));
   const alike = there ? left.find((step) => comesTo(bench, step, op, uses, choice)) : undefined;
   if (alike !== undefined) return { slot: alike.it };
   return nearest(bench, steps, op, uses);
+}
+
+/**
+ * Whether other lines than a point's own meet there: it may be found before these are drawn.
+ * @param {PracticeStep | undefined} step
+ */
+export function isCrossed(step) {
+  return (step?.ways ?? []).some(([one]) => one[0] === "line");
 }
 
 /**

@@ -40,7 +40,7 @@ export const INSTRUMENTS = [
     name: "figure",
     key: "8",
     sign: "M3 20h7L5 12zM12 20h9l-6.5-15z",
-    ops: { similar: "PPP", homologous: "PP", coincide: "P" },
+    ops: { similar: "PPP", homologous: "PP", coincide: "P", carry_over: "P" },
   },
   { name: "reading", key: "9", sign: "M2 12h20M5 9v6M19 9v6M9 12V9M12 12V8M15 12V9", ops: { measure: "PP", measure_along: "PP" } },
   { name: "formula", key: "0", sign: "M6 3h12v18H6zM9 7h6M9 12h.1M12 12h.1M15 12h.1M9 16h.1M12 16h.1M15 16h.1", ops: {} },
@@ -56,7 +56,7 @@ export const LINKED = "figure";
  * What lies with the rest, by the places of an operation's arguments.
  * @type {Record<string, number[]>}
  */
-const LYING = { measure_along: [2], similar: [2, 3], homologous: [1, 2, 3, 4, 5] };
+const LYING = { carry_over: [1, 2], measure_along: [2], similar: [2, 3], homologous: [1, 2, 3, 4, 5] };
 
 /**
  * Return the instrument of an operation.

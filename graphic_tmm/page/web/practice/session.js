@@ -3,6 +3,7 @@ import { LENGTHS } from "../lengths.js";
 import { Bench } from "./bench.js";
 import { Easel } from "./easel.js";
 import { keep, kept } from "./kept.js";
+import { isCrossed } from "./matching.js";
 import { csvOf, save } from "./record.js";
 import { Task } from "./task.js";
 
@@ -71,7 +72,7 @@ export class Session {
       kindOf: (slot) => easel.kindOf(slot),
       isScale: (slot) => easel.isScale(slot),
       isHere: (slot) => easel.isHere(slot),
-    });
+    }, (this.told.free ?? []).flatMap((slot) => this.easel.steps.get(slot) ?? []));
   }
 
   /** Begin anew. */
@@ -96,7 +97,8 @@ export class Session {
   restore(left) {
     try {
       for (const [slot, tried, mark, help] of /** @type {Kept[]} */ (left?.done ?? [])) {
-        if (!this.task.own.has(slot) || !this.bench.ready(slot)) break;
+        const there = this.bench.ready(slot) || isCrossed(this.easel.steps.get(slot));
+        if (!this.task.own.has(slot) || !there) break;
         this.task.take(slot, tried);
         this.task.score.marks.set(slot, mark);
         this.task.helped.set(slot, help);
@@ -132,7 +134,8 @@ export class Session {
   /** Return all that was done, as data. */
   record() {
     const { easel, task, practice } = this;
-    const steps = task.moves.map((move) => ({
+    const drawn = task.free.filter((move) => task.isDone(move.it));
+    const steps = [...task.moves, ...drawn].map((move) => ({
       step: easel.markOf(move.it).n,
       by: move.op,
       worth: task.score.marks.get(move.it) ?? null,

@@ -117,7 +117,7 @@ const READ_OFF = ["measure", "measure_along"];
  */
 function boardOf({ task, easel, session, aim, begun, now }) {
   const given = [...new Set([session.told.pole, ...session.told.shown])].filter((slot) => slot >= 0 && easel.isHere(slot));
-  const done = task.moves.filter((move) => task.isDone(move.it));
+  const done = [...task.own.values()].filter((move) => task.isDone(move.it));
   const slots = [...given, ...done.map((move) => move.it)];
   const isWrong = (/** @type {number} */ slot) => task.results.get(slot)?.verdict === "wrong" || task.results.get(slot)?.missed === true;
   return {

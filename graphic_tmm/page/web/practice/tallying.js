@@ -32,7 +32,7 @@ export function tallying(say, redo) {
       const tally = task.score.tally();
       words.textContent = filled(say("score"), { ...tally, done: task.results.size });
       const marks = [...task.results.keys()].map((slot) => task.score.marks.get(slot) ?? "helped");
-      signs.textContent = marks.map((mark) => WORTH[mark]).join("") + WORTH.left.repeat(task.moves.length - marks.length);
+      signs.textContent = marks.map((mark) => WORTH[mark]).join("") + WORTH.left.repeat(Math.max(task.score.count - marks.length, 0));
       head.parentElement?.toggleAttribute("hidden", marks.length === 0);
       list.replaceChildren(...[...task.results.keys()].map((slot) => doneRow(say, task, easel, slot, redo)));
     },

@@ -3,6 +3,7 @@ import { INSTRUMENTS, instrumentOf, SORTS } from "./palette.js";
 import { Picking } from "./picking.js";
 import { Score, STAGES } from "./score.js";
 import { DRAWN, hasSides } from "./sides.js";
+import { countOf, isSpare } from "./spare.js";
 
 /**
  * @typedef {import("../types.js").Complex} Complex
@@ -48,14 +49,16 @@ export class Task {
    * @param {Move[]} moves the steps that are asked for, in the order of the plan
    * @param {{kindOf: (slot: number) => string, isScale: (slot: number) => boolean, isHere: (slot: number) => boolean}} marks
    *   what a mark is on the board, whether it is a scale factor, whether it stands on the plan
+   * @param {Move[]} free lines that may be drawn besides: they lead to a point as well as its own
    */
-  constructor(bench, moves, { kindOf, isScale, isHere }) {
+  constructor(bench, moves, { kindOf, isScale, isHere }, free = []) {
     this.bench = bench;
     this.moves = moves;
     this.kindOf = kindOf;
-    this.picking = new Picking(moves, (slot) => SORTS[kindOf(slot)], isScale, isHere);
+    this.free = free;
+    this.picking = new Picking([...moves, ...free], (slot) => SORTS[kindOf(slot)], isScale, isHere);
     this.score = new Score(moves.length);
-    this.own = new Map(moves.map((move) => [move.it, move]));
+    this.own = new Map([...moves, ...free].map((move) => [move.it, move]));
     /** @type {Instrument | null} */
     this.instrument = null;
     /** @type {number[]} */
@@ -79,12 +82,12 @@ export class Task {
 
   /** Whether every step is done. */
   get ready() {
-    return this.results.size === this.moves.length;
+    return this.results.size === this.score.count;
   }
 
   /** The step that comes next: of the chosen instrument, else in the order of the plan; null when all is done. */
   get next() {
-    const open = this.moves.filter((move) => !this.isDone(move.it));
+    const open = this.moves.filter((move) => !this.isDone(move.it) && !isSpare(this, move));
     const can = open.filter((move) => this.bench.ready(move.it));
     const meant = can.filter((move) => instrumentOf(move.op).name === this.instrument?.name);
     const laid = meant.find((move) => this.picks.every((slot) => move.uses.includes(slot)));
@@ -135,8 +138,7 @@ export class Task {
    */
   submit() {
     if (this.instrument === null || this.picks.length === 0) return { kind: "more" };
-    const done = (/** @type {number} */ slot) => this.isDone(slot);
-    const answer = this.picking.answer(this.instrument, this.picks, done, this.bench);
+    const answer = this.picking.answer(this.instrument, this.picks, (slot) => this.isDone(slot), this.bench);
     if ("move" in answer) return this.begin(answer.move);
     if (answer.why !== "done") this.score.stray();
     this.picks = [];
@@ -238,11 +240,10 @@ export class Task {
    * @param {boolean} shown
    */
   take(slot, tried, shown = false) {
-    const move = this.own.get(slot);
     if (tried !== null) this.bench.take(slot, tried.found, tried.last);
-    else if (move !== undefined && DRAWN.includes(this.kindOf(slot))) this.bench.take(slot);
-    else this.bench.take(slot, /** @type {number | Complex} */ (this.bench.due(slot)));
+    else this.bench.take(slot, DRAWN.includes(this.kindOf(slot)) ? undefined : this.bench.due(slot));
     this.results.set(slot, tried);
+    this.score.count = countOf(this);
     this.score.done(slot, shown, tried !== null && isWrong(tried));
     this.rest();
   }

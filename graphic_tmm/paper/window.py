@@ -1,8 +1,8 @@
-"""What of the plane the drawing of centrodes shows: far centres are left outside, curves end at its edge."""
+"""What of the plane a drawing shows: a rectangle, the parts of lines and of curves that are inside."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -10,16 +10,12 @@ import numpy as np
 from graphic_tmm.board.values import Complexes
 from graphic_tmm.paper.clipping import cut, points
 
-FAR = 0.8
-"""How far from the mechanism a centre is still shown, of the mechanism's own reach."""
-EDGE = 0.04
-"""White about what is shown, of its reach."""
 SAMPLES, HALVINGS = 24, 40
 """Places of an arc at which it is looked whether it is inside; how often its ends are halved then."""
 
 
 class Window(NamedTuple):
-    """A rectangle, by its lower left and its upper right corner (complex)."""
+    """A rectangle, by its lower left and its upper right corner (complex), mm or m."""
 
     low: complex
     high: complex
@@ -34,26 +30,26 @@ class Window(NamedTuple):
         """Return it with so much more on every side."""
         return Window(self.low - by * (1 + 1j), self.high + by * (1 + 1j))
 
-    def holds(self, spots: Complexes) -> np.ndarray:
+    def holds(self, spots: Complexes | complex) -> np.ndarray:
         """Return which places are inside."""
-        x, y = np.real(spots), np.imag(spots)
+        z = np.asarray(spots, dtype=np.complex128)
+        x, y = z.real, z.imag
         across = (x >= self.low.real) & (x <= self.high.real)
         return np.asarray(across & (y >= self.low.imag) & (y <= self.high.imag))
 
+    def span(self, at: complex, way: complex) -> tuple[float, float] | None:
+        """Return between which distances along a line it is inside, in lengths of its ``way``."""
+        corners = np.array([self.low, self.high]) - at
+        with np.errstate(divide="ignore", invalid="ignore"):
+            ends = np.sort([corners.real / way.real, corners.imag / way.imag], axis=1)
+        first, last = float(np.fmax(*ends[:, 0])), float(np.fmin(*ends[:, 1]))
+        return (first, last) if first < last else None
+
     def segment(self, start: complex, end: complex) -> tuple[complex, complex] | None:
         """Return the part of a straight line that is inside, None where none is."""
-        way, low, high = end - start, 0.0, 1.0
-        sides = (
-            (way.real, start.real, self.low.real, self.high.real),
-            (way.imag, start.imag, self.low.imag, self.high.imag),
-        )
-        for rate, at, least, most in sides:
-            if abs(rate) * 1e12 <= abs(way):
-                if not least <= at <= most:
-                    return None
-                continue
-            first, last = sorted(((least - at) / rate, (most - at) / rate))
-            low, high = max(low, first), min(high, last)
+        way = end - start
+        low, high = self.span(start, way) or (1.0, 0.0)
+        low, high = max(low, 0.0), min(high, 1.0)
         return (start + low * way, start + high * way) if low < high else None
 
     def parts(self, controls: Sequence[complex]) -> list[tuple[complex, ...]]:
@@ -79,22 +75,8 @@ class Window(NamedTuple):
         return low if inside else high
 
 
-def _about(spots: Complexes) -> Window:
-    x, y = spots.real, spots.imag
+def about(spots: Complexes | Sequence[complex]) -> Window:
+    """Return the window that just holds some places."""
+    z = np.asarray(spots, dtype=np.complex128)
+    x, y = z.real, z.imag
     return Window(complex(x.min(), y.min()), complex(x.max(), y.max()))
-
-
-def window(mechanism: Iterable[Complexes], centres: Iterable[Complexes]) -> Window:
-    """Return what is seen: the ``mechanism`` as both centrodes touch, and ``centres`` that are not too far."""
-    own, far = _flat(mechanism), _flat(centres)
-    base = _about(own)
-    near = base.grown(FAR * base.reach)
-    x = np.clip(far.real, near.low.real, near.high.real)
-    y = np.clip(far.imag, near.low.imag, near.high.imag)
-    whole = _about(np.concatenate([own, x + 1j * y]))
-    return whole.grown(EDGE * whole.reach)
-
-
-def _flat(spots: Iterable[Complexes]) -> Complexes:
-    found = np.concatenate([np.ravel(one) for one in spots])
-    return np.asarray(found[np.isfinite(found)])

@@ -1,0 +1,64 @@
+"""Special points in ink: the mechanism in one position, the lines of two legs that cross in the point."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from graphic_tmm.board.record import Figure, Mark
+from graphic_tmm.chapters.kinematics.bodies import Positions
+from graphic_tmm.chapters.kinematics.closings import PlateClosing
+from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
+from graphic_tmm.chapters.kinematics.reaches import Reach
+from graphic_tmm.chapters.kinematics.special_point import SpecialPoint, drawn_point
+from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, circle, line
+from graphic_tmm.paper.figure import Manner, figure
+from graphic_tmm.paper.labels import Named, lettered
+from graphic_tmm.paper.lettering.markup import markup
+from graphic_tmm.paper.seen import Subject
+
+POINT = 0.9
+"""The radius of the circle that marks a special point, mm."""
+BEYOND = 6.0
+"""A line goes on so far behind the special point, mm."""
+
+
+def draw_special_points(
+    on: Subject, reaches: Mapping[Figure, Reach], positions: Positions, index: int
+) -> Drawing:
+    """Return the mechanism in one position with the special points of its plates."""
+    ink = PositionsInk(on.construction, on.reading, reaches, [index])
+    traces = figure(ink.seen, Manner(stays=lambda _, step: False))
+    strokes: list[Ink] = [*ink.guides(), *ink.heavy(index)]
+    letters = ink.letters((ink.frame.name, *ink.names), index, on.heights.point)
+    for closing in positions.closings:
+        if not isinstance(closing, PlateClosing):
+            continue
+        special = drawn_point(on.construction, closing.group.plate)
+        at = ink.at(special.point, index)
+        strokes += _lines(ink, closing, special, index)
+        strokes.append(circle("thin", at, POINT)._replace(of=(special.point.slot,)))
+        named = Named(at, markup(special.point.name), (special.point.slot,), index)
+        letters += lettered([named], on.heights.point, PAIR)
+    return traces.drawing(on, strokes, letters)
+
+
+def _lines(
+    ink: PositionsInk, closing: PlateClosing, special: SpecialPoint, index: int
+) -> Iterator[Stroke]:
+    """Yield the lines of the legs that cross, from their pins on, and that to the plate's third pin."""
+    at = ink.at(special.point, index)
+    for leg, of in zip(closing.crossing, special.lines, strict=True):
+        ends = [ink.at(mark, index) for mark in _ends(closing, leg, of)]
+        far = max(ends, key=lambda z: abs(z - at))
+        way = (at - far) / (abs(at - far) or 1.0)
+        yield line("thin", far, at + BEYOND * way)._replace(of=(of.slot,))
+    third = ink.at(closing.point, index)
+    yield line("dashed", at, third)._replace(of=(special.leg.line.slot,))
+
+
+def _ends(closing: PlateClosing, leg: object, of: Mark) -> Sequence[Mark]:
+    """Return the marks of a leg's line: its pivot and pin, or the pin that slides."""
+    k = closing.legs.index(leg)
+    held = closing.legs[k]
+    pivot = getattr(held, "pivot", None)
+    return [closing.points[k]] if pivot is None else [pivot, closing.points[k]]
