@@ -77,9 +77,9 @@ def lengths(made: Survey) -> Iterator[Mark]:
 def test_a_changed_length_leads_to_no_other_place(
     seed: int, share: float, lost: float, tmp_path: Path
 ) -> None:
-    """Measured on six machines: of places that are there 0.2 % are not found at 5 %, 8 % at 20 %, none is another.
+    """Measured on six machines: 0.2 % of the places that are there are not found at 5 %, 8 % at 20 %.
 
-    With corrections up to 18°, whatever way it is held, 4 % and 21 % were not found, and 20 of 9927 were others.
+    With corrections up to 18°, whatever way it is held, 4 % and 21 % were not found; 20 of 9927 were others.
     """
     made = tried(seed, tmp_path)
     there = gone = 0
