@@ -21,9 +21,7 @@ MARKS = {"mark", "it", "point", "pole", "image", "start", "end", "length", "line
 ALLOWED = {
     # a point of a scene is known by its letter there: this one is not the letter of a mark
     "chapters/engine/plan.py: closing.letter == order.point",
-    "chapters/kinematics/motion.py: closing.letter in body.link.points",
     "chapters/kinematics/motion.py: known[leg.letter]",
-    "chapters/kinematics/motion.py: known[closing.letter]",
     # one quantity that is given for several plans bears one letter in all of them
     "checking/mutations/mistakes.py: found.setdefault((mark.name, mark.unit), [])",
     # readers are told of which view a mark is where two of a sentence are called alike

@@ -25,7 +25,7 @@ from graphic_tmm.scene.declare import Flaw, Names, Path, build
 from graphic_tmm.scene.document import Document, as_table, raw_links
 from graphic_tmm.scene.given_speeds import at_one_speed
 from graphic_tmm.scene.guides import direction
-from graphic_tmm.scene.link_tables import link_table, slides_of
+from graphic_tmm.scene.link_tables import link_table, near_table, slides_of
 from graphic_tmm.scene.mechanism import Frame, Joints
 from graphic_tmm.scene.quantities import si
 from graphic_tmm.scene.sections import Parts, lengths_of, understand
@@ -170,7 +170,8 @@ def _in_own_axes(
     ]
     own = {link.number: link for link in (*found.mechanism.links, *found.mechanism.passive)}
     links = [
-        _written(one, own[one["number"]], hand, mechanism.frame.number, listed)
+        near_table(own[one["number"]], one, mechanism.drive)
+        | _written(one, own[one["number"]], hand, mechanism.frame.number, listed)
         if isinstance(one, dict)
         else one
         for one in doc["link"]

@@ -9,7 +9,7 @@ from typing import Any
 
 from graphic_tmm.errors import Fault, SceneError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Arm, Guide, Link, Mechanism, Slide
+from graphic_tmm.mechanism.records import Arm, Drive, Guide, Link, Mechanism, Slide
 from graphic_tmm.mechanism.sketch import parted
 from graphic_tmm.scene import guides
 from graphic_tmm.scene import mechanism as m
@@ -82,8 +82,17 @@ def link_table(link: Link, hand: Joints, frame: int, told: Mapping[str, Any]) ->
         found["side"] = _side(link.side.sign, link.side.left_of, told.get("side"))
         if link.side.flips_at is not None:
             found["flips_at"] = [_degrees(at) for at in link.side.flips_at]
-    if link.near is not None and "near" not in told:
-        found["near"] = _degrees(link.near.angle)
+    return found
+
+
+def near_table(link: Link, told: Mapping[str, Any], drive: Drive) -> dict[str, Any]:
+    """Return which place of a plate is meant, where a scene does not say it."""
+    if link.near is None or "near" in told:
+        return {}
+    found: dict[str, Any] = {"near": _degrees(link.near.angle)}
+    if (at := link.near.at) is not None:
+        slides = drive.slides or drive.rack
+        found["near_at"] = f"{at:.{DIGITS}g} m" if slides else _degrees(at)
     return found
 
 
@@ -270,6 +279,7 @@ class _Tables:
         own = link_table(link, hand, self.mechanism.frame.number, told)
         if self._listed(link):
             own = self._by_joints(own, told, hand)
+        own |= near_table(link, told, self.mechanism.drive)
         passive = link in self.mechanism.passive
         own |= {"passive": True} if passive else {}
         if not told:

@@ -37,8 +37,8 @@ steps with two roots (`assembly`).
 Draws: places ``given`` (the table of what the scene gives, of all chapters), ``positions``, ``special points``
 (of plates), ``velocities``, ``velocities by drive`` (of several drives: what each alone causes, added up),
 ``accelerations``, ``equations`` (``velocity equations`` and ``acceleration equations``, each with its plans),
-``velocity table``, ``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is the kernel's
-(`graphic_tmm.mechanism.structure`).
+``velocity table``, ``acceleration table``, ``results`` (both tables). Builds on no chapter; the dissection is
+the kernel's (`graphic_tmm.mechanism.structure`).
 
 Sources: Артоболевский И. И., Теория механизмов и машин (кинематический анализ: планы положений, скоростей,
 ускорений); Попов С. А., Тимофеев Г. А., Курсовое проектирование по теории механизмов и механике машин.
@@ -71,7 +71,7 @@ CHAPTER = Chapter(
     places=(
         Place(GIVEN, 20, attends=POSITIONS),
         Place(POSITIONS, 19),
-        Place(SPECIAL_POINTS, 20, attends=POSITIONS),
+        Place(SPECIAL_POINTS, 20, shows=(VELOCITIES,)),
         Place(VELOCITIES, 21),
         Place(ACCELERATIONS, 22),
         Place(BY_DRIVE, shows=(VELOCITIES,)),

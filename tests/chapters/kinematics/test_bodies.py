@@ -18,9 +18,9 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.diagrams.plan import sliding_leg
 from graphic_tmm.chapters.engine.plan import _legs
+from graphic_tmm.chapters.forces.cut_free import Figures
 from graphic_tmm.chapters.forces.friction import joints
 from graphic_tmm.chapters.forces.lever import _base
-from graphic_tmm.chapters.forces.cut_free import Figures
 from graphic_tmm.chapters.forces.plan import _solve
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.assembly import closures
