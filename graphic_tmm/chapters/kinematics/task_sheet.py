@@ -16,13 +16,20 @@ from graphic_tmm.chapters.kinematics.given import (
     wanted_accelerations,
 )
 from graphic_tmm.chapters.kinematics.scheme import posed, scheme
-from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, POSITIONS, VELOCITIES, Rows
+from graphic_tmm.chapters.kinematics.task import (
+    ACCELERATIONS,
+    ASKED,
+    POSITIONS,
+    SPECIAL_POINTS,
+    VELOCITIES,
+    Rows,
+)
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.mechanism.groups import Group
+from graphic_tmm.mechanism.groups import Group, PlateGroup
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.lettering.markup import markup
@@ -56,7 +63,7 @@ def _row(scene: Scene, language: str) -> str:
 def _equal(given: Given, language: str) -> str:
     """Return what is given as an equation: l = 600…850 mm."""
     letter, figures, of = given
-    return f"{letter} = {figures}{'' if of == '°' else ' '}{unit(of, language)}"
+    return f"{plain(letter)} = {figures}{'' if of == '°' else ' '}{unit(of, language)}"
 
 
 def _extra(scene: Scene, language: str) -> Iterator[str]:
@@ -97,6 +104,16 @@ def _laid(scene: Scene, language: str) -> Iterator[str]:
                 at=_equal(coordinates(scene, [at]), language).replace(" ", "\u00a0"),
                 angle=f"{round(float(plate)) % 360}°",
             )
+
+
+def special_points(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the special points of plates, in as many positions as a sheet shows."""
+    _ = speaking(language)
+    if scene.mechanism is None:
+        return
+    plates = [one for one in dissect(scene.mechanism).groups if isinstance(one, PlateGroup)]
+    for one in plates:
+        yield _(_SPECIAL, link=one.plate)
 
 
 def _rows(asked: Rows, language: str) -> Iterator[str]:
@@ -200,6 +217,7 @@ _PLACE = said(
     "Of the places of link {link} the one is drawn that the scheme shows: at {at} its line {line} stands at "
     "{angle} to the x axis; from position to position it goes on without a leap."
 )
+_SPECIAL = said("Assur's special point of link {link} is found; velocities are drawn by it.")
 _OTHER = said("The other extreme position is drawn as well.")
 _ANGLES = said(
     "The position at the crank's angle {listed} is drawn as well.",
@@ -235,6 +253,7 @@ TASK_SHEET = TaskSheet(
     scheme=scheme,
     wanted={
         POSITIONS: positions,
+        SPECIAL_POINTS: special_points,
         VELOCITIES: velocities,
         ACCELERATIONS: accelerations,
         "equations": equations,
