@@ -8,11 +8,13 @@ from itertools import combinations
 import numpy as np
 
 from graphic_tmm.board.geometry import wedge
-from graphic_tmm.board.record import segment_name
-from graphic_tmm.board.values import Complexes, Length, Line, Point
+from graphic_tmm.board.operations.instruments import lay_off
+from graphic_tmm.board.record import Construction, Mark, segment_name
+from graphic_tmm.board.values import Complexes, Length, Line
 from graphic_tmm.chapters.kinematics.closings import ClosingLeg, PinLeg, PlateClosing
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Choice
 
@@ -45,19 +47,34 @@ def _on_plan(drawn: Drawn, closing: PlateClosing, plan: Motion) -> Iterator[Choi
         ]
     places = np.full((len(others), len(drawn.names)), complex(np.nan, np.nan))
     places[:, list(row)] = np.concatenate(others)
-    name = hanging.image.key[1]
-    yield Choice(view, name, places, frozenset(_names(drawn, view, number)))
+    names = {
+        segment_name(mark.letter) if mark.kind is Length else mark.key[1]
+        for mark in _hanging(drawn, hanging.image)
+    }
+    yield Choice(view, hanging.image.key[1], places, frozenset(names))
 
 
-def _names(drawn: Drawn, view: str, number: int) -> Iterator[str]:
-    """Yield the names of what is drawn or read of a plan that goes by the special point."""
-    for step in drawn.construction.steps:
-        mark = step.it
-        if mark.view == view and any(f"{one}{number}" in mark.name for one in "wn"):
-            if mark.kind is Point:
-                yield mark.key[1]
-            elif mark.kind is Length:
-                yield segment_name(mark.letter)
+def _hanging(drawn: Drawn, image: Mark) -> Iterator[Mark]:
+    """Yield the image of a special point, what is laid off towards it and from it, what is measured from it."""
+    log = drawn.construction
+    hung = {image}
+    if image.view == ACCELERATIONS:
+        for line in _uses(log, image):
+            start = _uses(log, line)[0]
+            hung |= {start, _uses(log, start)[1]}
+    for step in log.steps:
+        if step.it.view != image.view:
+            continue
+        if step.op is lay_off and not hung.isdisjoint(_uses(log, step.uses[0])[:1]):
+            hung |= {step.it, step.uses[1]}
+        elif step.it.kind is Length and step.op.reads and not hung.isdisjoint(step.uses):
+            hung.add(step.it)
+    yield from hung
+
+
+def _uses(log: Construction, mark: Mark) -> tuple[Mark, ...]:
+    step = log.step(mark)
+    return () if step is None else step.uses
 
 
 def _crossings(drawn: Drawn, closing: PlateClosing, row: tuple[int, ...]) -> Iterator[Complexes]:
