@@ -15,6 +15,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.readers.columns import Choice, Readings
+from graphic_tmm.scene.captions import captions
 
 NEAR, SHARE = 3.0, 0.12
 """A point so near to where another choice puts it, mm, and a share of how far it is from the pole, is that."""
@@ -29,10 +30,14 @@ def chosen_otherwise(
     gone = dict(_chosen(made, rows))
     if not gone:
         return tuple(rows), ()
-    says = speaking(made.scene.language)
+    language, places = made.scene.language, dict[tuple[str, str], list[str]]()
+    for (plan, place), choice in gone.items():
+        places.setdefault((plan, choice.point), []).append(place)
     notes = [
-        says(_CHOSEN, point=choice.point, place=place, plan=choice.plan)
-        for (_, place), choice in gone.items()
+        speaking(language)(
+            _CHOSEN, plan=captions(language)[plan], point=point, listed=", ".join(listed)
+        )
+        for (plan, point), listed in places.items()
     ]
     kept = tuple(
         one
@@ -65,6 +70,6 @@ def _chosen(made: DrawnScene, rows: Sequence[Taken]) -> Iterator[tuple[tuple[str
 
 
 _CHOSEN = said(
-    "{plan}, position {place}: {point} is where another pair of legs puts it, which is as right; what is drawn "
-    "from it is not judged, the points that come out of it are"
+    "{plan}, positions {listed}: {point} is where another pair of legs puts it, which is as right; what is "
+    "drawn from it is not judged, the points that come out of it are"
 )
