@@ -19,6 +19,7 @@ from graphic_tmm.checking.congruence.stated import (
 )
 from graphic_tmm.checking.congruence.supposed import MERE
 from graphic_tmm.checking.congruence.words import head
+from graphic_tmm.checking.judging.choices import chosen_otherwise
 from graphic_tmm.checking.judging.comparison import Comparison, worse_of
 from graphic_tmm.checking.judging.groups import groups
 from graphic_tmm.checking.judging.judge import judge
@@ -277,6 +278,8 @@ class Checker:
 
     def _judgement(self, agreed: Agreed, notes: tuple[str, ...]) -> _Judgement:
         bench = self._bench(agreed)
+        rows, chosen = chosen_otherwise(bench.made, agreed.rows)
+        agreed, notes = agreed._replace(rows=rows), (*notes, *chosen)
         by = bench.yardsticks.of(agreed.rows)
         verdicts, whole = sharpened(bench.made, judge(bench.made, agreed.rows, by), by)
         return _Judgement(agreed, notes, bench, by, verdicts, whole)

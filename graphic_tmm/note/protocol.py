@@ -31,7 +31,7 @@ from graphic_tmm.note.gather import ELEMENTARY, DrawingStep, gathered
 from graphic_tmm.note.steps import NumberSource, calculated, reason_runs, sentence_runs
 from graphic_tmm.note.tex import tex
 from graphic_tmm.note.widths import broken
-from graphic_tmm.readers.equations import equations, heading
+from graphic_tmm.readers.equations import by_group, equations, heading
 from graphic_tmm.readers.narration import ProtocolLine, defined, protocol, remark
 
 PLAIN = (to_board, rescaled, in_si, on_lever, moment)
@@ -107,8 +107,7 @@ class _Page:
         self.known: Known = set() if manner.known is None else manner.known
         self.before = frozenset(self.known)
         self.places = [told.place, *(k for k, _ in manner.elsewhere)]
-        found = equations(told.log, told.view, turned=manner.turned)
-        self.solved = {one.group: one for one in found}
+        self.solved = by_group(equations(told.log, told.view, turned=manner.turned))
         self.steps = [step for step in told.log.steps if step.it.view == told.view]
         self.heads: list[Block] = []
         self.words: list[Run] = []
@@ -297,7 +296,7 @@ class _Page:
 
     def heading(self, note: str) -> Iterator[Block]:
         """Yield what stands before a step: a heading with the equations of its group, or a formula."""
-        language, equation = self.told.language, self.solved.get(note)
+        language, solved = self.told.language, self.solved.get(note, ())
         told = symbol(heading(note, language), language)
         if any(sign in told for sign in RELATIONS):
             sides, *behind = (Symbol(one) for one in told.split(",  "))
@@ -307,8 +306,8 @@ class _Page:
         group = remark(note, language)
         self.group = f"{group[:1].upper()}{group[1:]}"
         yield Paragraph((Text(self.group + ":", "emphasis"),))
-        if equation is not None:
-            lines = (equation.markup, equation.directions)
+        if solved:
+            lines = [line for one in solved for line in (one.markup, one.directions)]
             told_ = Display(tuple(Formula((Symbol(symbol(one, language)),)) for one in lines))
             self.equations += [Paragraph((Text(self.group + ":", "emphasis"),)), told_]
             yield told_

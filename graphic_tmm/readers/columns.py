@@ -179,6 +179,18 @@ Crossed = tuple[tuple[Mark, Mark], tuple[Mark, Mark]]
 """Two lines, each by two points, or by a point and a line along which it goes."""
 
 
+class Choice(NamedTuple):
+    """A point of a plan that may be chosen otherwise; ``others``: where it stands then, (choice, position), mm.
+
+    ``hanging``: the names of it and of what is read of the plan that hangs on the choice.
+    """
+
+    plan: str
+    point: str
+    others: NDArray[np.complex128]
+    hanging: frozenset[str]
+
+
 @dataclass(frozen=True)
 class Readings(Answer):
     """What a chapter knows of readings.
@@ -187,7 +199,8 @@ class Readings(Answer):
     clear of what is drawn upon it; ``figure_at``: another figure by its view, None where it has none of it or
     not there. ``named_marks``: marks by plan and the name that machines read.
     ``vectors``: the columns of the vectors that are measured on its plans. ``crossings``: by a point, other
-    pairs of lines that meet there, each through two points, or through one along a line.
+    pairs of lines that meet there, each through two points, or through one along a line. ``choices``: points
+    that may be chosen otherwise.
     """
 
     stands: ClassVar[str] = "views.READINGS"
@@ -199,6 +212,7 @@ class Readings(Answer):
     named_marks: Callable[[Project], Mapping[tuple[str, str], Mark]] = lambda project: {}
     vectors: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
     crossings: Callable[[Project], Mapping[Mark, tuple[Crossed, ...]]] = lambda project: {}
+    choices: Callable[[Drawn], Iterable[Choice]] = lambda drawn: ()
 
 
 class Former(NamedTuple):

@@ -93,6 +93,14 @@ class Equation(NamedTuple):
         )
 
 
+def by_group(found: Iterable[Equation]) -> dict[str, list[Equation]]:
+    """Return the equations by the headings of their groups: a plate on three legs has two."""
+    solved: dict[str, list[Equation]] = {}
+    for one in found:
+        solved.setdefault(one.group, []).append(one)
+    return solved
+
+
 def heading(note: str, language: str) -> str:
     """Return a remark of the log that heads a group in words; any other remark as it is.
 
@@ -223,8 +231,13 @@ def _direction(line: Step, turned: bool) -> str:
     guide = re.sub(r"^([A-Za-z])(\d+)$", r"\1_{\2}", of)
     # square to a direction, the sense of a turned plan's line is that of its turn
     if along and not turned and line.choice["sense"] < 0 and len(ends) == 2:
-        return f"{ends[1]} → {ends[0]}"
-    return f"{'∥' if along else '⊥'} {of if len(ends) > 1 else f'{guide}–{guide}'}"
+        return f"{_indexed(ends[1])} → {_indexed(ends[0])}"
+    return f"{'∥' if along else '⊥'} {_indexed(of) if len(ends) > 1 else f'{guide}–{guide}'}"
+
+
+def _indexed(letters: str) -> str:
+    """Return letters with their figures as indices: W3F -> W_{3}F."""
+    return letters if "_" in letters else re.sub(r"([^\W\d])(\d+)", r"\1_{\2}", letters)
 
 
 def polygon(construction: Construction, plan: str) -> tuple[Term, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
@@ -13,7 +14,7 @@ from graphic_tmm.fitting.choice import SCALES
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
-from graphic_tmm.readers.equations import Equation, equations, heading
+from graphic_tmm.readers.equations import Equation, by_group, equations, heading
 from graphic_tmm.readers.sentences import calculation, reason, sentence, step_figure
 from graphic_tmm.scene.captions import Named, captions, view_name
 from graphic_tmm.scene.chapter import chapters
@@ -61,7 +62,7 @@ def protocol(
     without a value in all of them are left out; one remark at the end lists their numbers.
     """
     told, own = place, {place: "", **dict(elsewhere)}
-    solved = {e.group: e for e in equations(construction, plan, turned=turned)}
+    solved = by_group(equations(construction, plan, turned=turned))
     steps = [step for step in construction.steps if step.it.view == plan]
     sums = _sums(steps)
     first, remarks, left_out = 0, list[ProtocolLine](), list[ProtocolLine]()
@@ -102,14 +103,15 @@ def _left_out(lines: Sequence[ProtocolLine], language: str) -> Iterator[Protocol
         yield ProtocolLine(0, speaking(language)(text))
 
 
-def _remarks(step: Step, solved: Mapping[str, Equation], language: str) -> list[ProtocolLine]:
+def _remarks(
+    step: Step, solved: Mapping[str, Sequence[Equation]], language: str
+) -> list[ProtocolLine]:
     """Return what stands before a step: its remarks, and the equations that they begin."""
     found = []
     for note in filter(None, step.note.split("\n")):
         heading = view_name if step.it.view == SCALES else remark
         found.append(ProtocolLine(0, heading(note, language)))
-        if note in solved:
-            equation = solved[note]
+        for equation in solved.get(note, ()):
             found.append(ProtocolLine(0, _equation_text(equation, language), equation=equation))
     return found
 
@@ -117,7 +119,10 @@ def _remarks(step: Step, solved: Mapping[str, Equation], language: str) -> list[
 def _equation_text(equation: Equation, language: str) -> str:
     """Return an equation and its directions as plain text, its indices in a language."""
     text = symbol(equation.text, language).replace("{", "").replace("}", "")
-    return f"{text};  {plain(symbol(equation.directions, language))}"
+    ways = plain(symbol(equation.directions, language))
+    # points are lettered here as where they are named: W3
+    ways = re.sub(r"([A-Z])_([0-9])", r"\1\2", ways)
+    return f"{text};  {ways}"
 
 
 def defined(reading: Reading, mark: Mark, place: int) -> bool:

@@ -57,6 +57,6 @@ def test_a_plate_that_cannot_be_laid_is_none() -> None:
 def test_another_place_far_off_is_none() -> None:
     uses, _, _ = case(0)
     *loci, leg, plate = uses
-    found = trace.run(*loci, leg, plate + 60.0)  # type: ignore[operator]
-    turned = np.abs(np.angle(found.along / cis(plate + 60.0)))  # type: ignore[operator, arg-type]
-    assert np.nanmax(turned) < np.radians(18.2)
+    found = trace.run(*loci, leg, plate + 120.0)  # type: ignore[operator]
+    turned = np.abs(np.angle(found.along / cis(plate + 120.0)))  # type: ignore[operator, arg-type]
+    assert not np.nanmax(turned, initial=0.0) > np.radians(45.6)

@@ -16,10 +16,11 @@ from graphic_tmm.language.said import said
 
 OFF = 1e-9
 """A plate whose points stay off their loci by more than this share of the lengths is not laid."""
-FAR = 0.95
-"""The cosine of the angle by which corrections may turn the plate or its first link: 18°.
+FAR = 0.7
+"""The cosine of the angle by which corrections may turn the plate or its first link: 45°.
 
-What is given is nearer by far; a plate that went farther has come to another of its places."""
+What is given is nearer by far, but where lengths were changed on a page; a plate that went farther has come to
+another of its places, and so has one that is held the other way round."""
 _FAILS = "the plate cannot be laid on what holds its three points"
 _SYMBOL = "3P1 + 3P2 + 4R1 + 2R2"
 _WHY = said(
@@ -109,12 +110,16 @@ def on_guides(
 
 
 def _pricked(
-    first: Arc, lies: Line, near: Line, off: Complexes, c: Complexes, f: Complexes
+    first: Arc, lies: Line, near: Line, off: Complexes, alike: Reals, c: Complexes, f: Complexes
 ) -> Line:
-    """Return the plate's own line; NaN where its points are off their loci, or it went to another place."""
+    """Return the plate's own line; NaN where its points are off their loci, or it went to another place.
+
+    ``alike``: less than 0 where it is held there the other way round than near the place.
+    """
     size = first.radius + np.abs(c) + np.abs(f)
     there = (
         (np.abs(off) <= OFF * size)
+        & (alike >= 0.0)
         & (along(lies.at, near.at) > FAR)
         & (along(lies.along, near.along) > FAR)
     )
@@ -146,8 +151,14 @@ def trace(
     lies = on_arcs(lies, first, second, third, c, f)
     lies = on_arcs(lies, first, second, third, c, f)
     b = first.centre + first.radius * lies.at
-    off = vector(arc_off(b + c * lies.along, second), arc_off(b + f * lies.along, third))
-    return _pricked(first, lies, near, off, c, f)
+    at_c, at_f = b + c * lies.along, b + f * lies.along
+    off = vector(arc_off(at_c, second), arc_off(at_f, third))
+    there = held(lies, c, f, arc_normal(at_c, second), arc_normal(at_f, third))
+    begun = first.centre + first.radius * near.at
+    second_normal = arc_normal(begun + c * near.along, second)
+    third_normal = arc_normal(begun + f * near.along, third)
+    alike = there * held(near, c, f, second_normal, third_normal)
+    return _pricked(first, lies, near, off, alike, c, f)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -174,8 +185,12 @@ def trace_on_guide(
     lies = on_guide(lies, first, second, third, c, f)
     lies = on_guide(lies, first, second, third, c, f)
     b = first.centre + first.radius * lies.at
-    off = vector(arc_off(b + c * lies.along, second), line_off(b + f * lies.along, third))
-    return _pricked(first, lies, near, off, c, f)
+    at_c, way = b + c * lies.along, third.along * 1j
+    off = vector(arc_off(at_c, second), line_off(b + f * lies.along, third))
+    there = held(lies, c, f, arc_normal(at_c, second), way)
+    begun = first.centre + first.radius * near.at
+    alike = there * held(near, c, f, arc_normal(begun + c * near.along, second), way)
+    return _pricked(first, lies, near, off, alike, c, f)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -203,7 +218,10 @@ def trace_on_guides(
     lies = on_guides(lies, first, second, third, c, f)
     b = first.centre + first.radius * lies.at
     off = vector(line_off(b + c * lies.along, second), line_off(b + f * lies.along, third))
-    return _pricked(first, lies, near, off, c, f)
+    second_normal, third_normal = second.along * 1j, third.along * 1j
+    there = held(lies, c, f, second_normal, third_normal)
+    alike = there * held(near, c, f, second_normal, third_normal)
+    return _pricked(first, lies, near, off, alike, c, f)
 
 
 @operation(symbol=FREE, why=said("The first of the three points stands where the line begins."))

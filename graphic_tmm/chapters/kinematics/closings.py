@@ -71,14 +71,17 @@ class Branch(NamedTuple):
 
     def near(self, coordinates: Reals) -> tuple[Reals, Reals]:
         """Return both angles at coordinates of the drive; NaN where the plate cannot be laid."""
-        period = self.sweep.high if self.sweep.closed else None
-        low, high = self.at[0], self.at[-1]
-        row = low + np.mod(coordinates - low, period) if period else coordinates
-        inside = (row >= low) & (row <= high)
-        return tuple(  # type: ignore[return-value]
-            np.where(inside, np.interp(row, self.at, angles), np.nan)
+        row, low = coordinates, self.at[0]
+        if self.sweep.closed:
+            way = self.sweep.high
+            row = row - way * np.floor((row - low) * (1.0 / way))
+        # of a whole turn the ends are one: what rounding puts beyond them is there
+        beyond = None if self.whole else np.nan
+        leg, plate = (
+            np.interp(row, self.at, angles, left=beyond, right=beyond)
             for angles in (self.leg, self.plate)
         )
+        return leg, plate
 
 
 class PlateClosing(NamedTuple):

@@ -83,7 +83,7 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
     """
     if scene.mechanism is None:
         return None
-    pose = _kept(scene, POSED, partial(_posed, scene))
+    pose = posed(scene)
     wide, high = _kept(scene, (POSED, "span"), partial(_span, pose))
     least = standard_length(max(wide / room.real, high / room.imag, 1e-9), 1.0)
     for mu in (one for one in (*LENGTHS, 10 * least) if one >= least):
@@ -92,6 +92,11 @@ def scheme(scene: Scene, room: complex) -> Scheme | None:
             break
     view = _kept(scene, (POSED, "drawn", mu), partial(_drawing, pose, mu))
     return Scheme(view, mu, tuple(_notes(scene.mechanism, scene.language)))
+
+
+def posed(scene: Scene) -> Pose:
+    """Return the mechanism in the position in which a task shows it."""
+    return _kept(scene, POSED, partial(_posed, scene))
 
 
 POSED = "posed"

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+import numpy as np
+
+from graphic_tmm.chapters.kinematics.closings import PlateClosing
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.given import (
     coordinates,
@@ -12,13 +15,21 @@ from graphic_tmm.chapters.kinematics.given import (
     stroke,
     wanted_accelerations,
 )
-from graphic_tmm.chapters.kinematics.scheme import scheme
-from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, ASKED, POSITIONS, VELOCITIES, Rows
+from graphic_tmm.chapters.kinematics.scheme import posed, scheme
+from graphic_tmm.chapters.kinematics.task import (
+    ACCELERATIONS,
+    ASKED,
+    POSITIONS,
+    SPECIAL_POINTS,
+    VELOCITIES,
+    Rows,
+)
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
-from graphic_tmm.language.symbols import symbol
+from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.language.units import unit
+from graphic_tmm.mechanism.groups import Group, PlateGroup
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.lettering.markup import markup
@@ -32,6 +43,7 @@ def positions(scene: Scene, language: str) -> Iterator[str]:
     _ = speaking(language)
     yield _row(scene, language)
     yield from _extra(scene, language)
+    yield from _laid(scene, language)
     if scene.trajectories:
         yield _(_PATHS, n=len(scene.trajectories), listed=", ".join(scene.trajectories))
     asked = ASKED.of(scene)
@@ -51,7 +63,7 @@ def _row(scene: Scene, language: str) -> str:
 def _equal(given: Given, language: str) -> str:
     """Return what is given as an equation: l = 600…850 mm."""
     letter, figures, of = given
-    return f"{letter} = {figures}{'' if of == '°' else ' '}{unit(of, language)}"
+    return f"{plain(letter)} = {figures}{'' if of == '°' else ' '}{unit(of, language)}"
 
 
 def _extra(scene: Scene, language: str) -> Iterator[str]:
@@ -73,6 +85,35 @@ def _extra(scene: Scene, language: str) -> Iterator[str]:
         yield _(_ANGLES, n=len(places), listed=listed)
     else:
         yield _(_LENGTHS_APART, n=len(places), listed=_equal(drawn, language))
+
+
+def _laid(scene: Scene, language: str) -> Iterator[str]:
+    """Say which of its places a plate keeps: how its line stands where the mechanism is shown."""
+    mechanism = scene.mechanism
+    if mechanism is None or all(isinstance(one, Group) for one in dissect(mechanism).groups):
+        return
+    pose = posed(scene)
+    at = pose.project.coordinates[0]
+    for closing in pose.plans.positions.closings:
+        if isinstance(closing, PlateClosing) and at is not None:
+            _, plate = closing.branch.near(np.array(at))
+            yield speaking(language)(
+                _PLACE,
+                link=closing.group.plate,
+                line="".join(closing.pins[:2]),
+                at=_equal(coordinates(scene, [at]), language).replace(" ", "\u00a0"),
+                angle=f"{round(float(plate)) % 360}°",
+            )
+
+
+def special_points(scene: Scene, language: str) -> Iterator[str]:
+    """Ask for the special points of plates, in as many positions as a sheet shows."""
+    _ = speaking(language)
+    if scene.mechanism is None:
+        return
+    plates = [one for one in dissect(scene.mechanism).groups if isinstance(one, PlateGroup)]
+    for one in plates:
+        yield _(_SPECIAL, link=one.plate)
 
 
 def _rows(asked: Rows, language: str) -> Iterator[str]:
@@ -172,6 +213,11 @@ _PLACES = said(
     "The plan of positions is drawn for {n} positions at {stroke}; the first one bears the number "
     "{first}.",
 )
+_PLACE = said(
+    "Of the places of link {link} the one is drawn that the scheme shows: at {at} its line {line} stands at "
+    "{angle} to the x axis; from position to position it goes on without a leap."
+)
+_SPECIAL = said("Assur's special point of link {link} is found; velocities are drawn by it.")
 _OTHER = said("The other extreme position is drawn as well.")
 _ANGLES = said(
     "The position at the crank's angle {listed} is drawn as well.",
@@ -207,6 +253,7 @@ TASK_SHEET = TaskSheet(
     scheme=scheme,
     wanted={
         POSITIONS: positions,
+        SPECIAL_POINTS: special_points,
         VELOCITIES: velocities,
         ACCELERATIONS: accelerations,
         "equations": equations,

@@ -18,6 +18,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
 from graphic_tmm.chapters.kinematics.ink_special_point import draw_special_points
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import outlying, reaches
+from graphic_tmm.chapters.kinematics.special_choices import special_choices
 from graphic_tmm.chapters.kinematics.table import UNITS, measured_vectors, plan_columns, rate_marks
 from graphic_tmm.chapters.kinematics.task import (
     ACCELERATIONS,
@@ -291,5 +292,9 @@ SHOWN = Views(
 
 
 READINGS = Readings(
-    pointed=PLANS, plan_at=plan_at, named_marks=rate_marks, vectors=measured_vectors
+    pointed=PLANS,
+    plan_at=plan_at,
+    named_marks=rate_marks,
+    vectors=measured_vectors,
+    choices=special_choices,
 )

@@ -22,6 +22,7 @@ from graphic_tmm.chapters.kinematics.views import acceleration_equations, veloci
 from graphic_tmm.mechanism.groups import AssurGroup, Group, PlateGroup
 from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
+from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.table import columns_of
 
 
@@ -271,3 +272,21 @@ def test_a_rod_that_is_held_in_its_cylinder_is_a_rigid_link() -> None:
     first, second = equations(work.project.construction, "velocities by drive 3")
     assert first.text == "v_N = v_r3 + v_NG^t"
     assert second.text == "v_M = v_B + v_MB = v_H + v_MH"
+
+
+def test_figures_of_points_are_indices_on_a_sheet() -> None:
+    """Of a plate on three legs: ⊥ W₃F, as its special point is lettered on the plan of positions."""
+    velocity, acceleration = (
+        found("swinging-screen", plan)[-1] for plan in ("velocities", "accelerations")
+    )
+    assert re.search(r"⊥ W_\{\d\}[A-Z]", velocity.directions)
+    assert re.search(r"[A-Z] → W_\{\d\}", acceleration.directions)
+
+
+def test_a_plate_has_the_equation_of_its_special_point_and_that_of_its_pin() -> None:
+    """What steps and notes print under the heading of its group: both, in the order of solving."""
+    made = in_usual("swinging-screen")
+    lines = protocol(made.construction, "velocities", made.reading, 1, "en")
+    printed = [line.text for line in lines if line.equation is not None]
+    special = next(k for k, text in enumerate(printed) if re.match(r"v_W\d = ", text))
+    assert re.search(r"= v_W\d \+ v_[A-Z]W\d;", printed[special + 1])
