@@ -37,6 +37,10 @@ def test_the_scheme_moves_with_the_crank(page_of: Callable[..., Opened]) -> None
     ]
     tab = page_of(NAME, address="#crank:@0")
     tab.page.wait_for_selector("#crank[data-ready]")
+    tab.page.locator("#crank .choices").get_by_label("Instantaneous centres").check()
+    card = tab.page.locator("#crank .card", has_text="Instantaneous centres")
+    card.scroll_into_view_if_needed()
+    card.locator("svg .body .pen path").first.wait_for(state="attached")
     for turned in (40, 251):
         tab.page.evaluate("(to) => { location.hash = `#crank:@${to}`; }", turned)
         tab.page.wait_for_function(
