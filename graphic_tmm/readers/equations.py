@@ -211,6 +211,8 @@ def _equation(
             ends = line.uses[0], point
             sides.append((*known, Term(symbol, False, direction, ends, line.it)))
         else:
+            if isinstance(sought, Term):  # both legs of a plate hold on to the frame
+                direction = f"{sought.direction}, {direction}"
             sought = Term(name, False, direction, (pole, point), line.it)
     return Equation(group, sought, tuple(sides), (pole, point))
 
@@ -218,7 +220,7 @@ def _equation(
 def _relative(root: str, point: Mark, start: Mark, line: Step) -> str:
     """Return the letter of what nobody reads: of Assur's special point about the pivot of a leg."""
     ends = ends_of(line.uses[1].name.strip("()"))
-    about = ends[0] if len(ends) == 2 else start.name.upper()
+    about = ends[0] if len(ends) == 2 else "" if start.role in VECTORS else start.name.upper()
     whole = f"{root}_{{{point.name.upper()}{about}}}"
     return f"{whole}^{{t}}" if root == "a" else whole
 

@@ -10,6 +10,7 @@ from support.boards import drawn_of
 from support.driven_scenes import BOOM, OUT, scene
 from support.each import each
 from support.gallery import PLANS, in_usual
+from support.plates import machine
 from support.words_of_drives import FIVE_BAR, OPEN_CRANK, TURNS
 
 import graphic_tmm
@@ -21,6 +22,7 @@ from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.views import acceleration_equations, velocity_equations
 from graphic_tmm.mechanism.groups import AssurGroup, Group, PlateGroup
 from graphic_tmm.mechanism.wheels import Rolling
+from graphic_tmm.project import record
 from graphic_tmm.readers.equations import Equation, components, ends_of, equations, quantity
 from graphic_tmm.readers.narration import protocol
 from graphic_tmm.readers.table import columns_of
@@ -290,3 +292,12 @@ def test_a_plate_has_the_equation_of_its_special_point_and_that_of_its_pin() -> 
     printed = [line.text for line in lines if line.equation is not None]
     special = next(k for k, text in enumerate(printed) if re.match(r"v_W\d = ", text))
     assert re.search(r"= v_W\d \+ v_[A-Z]W\d;", printed[special + 1])
+
+
+def test_legs_that_both_hold_on_to_the_frame_tell_both_directions() -> None:
+    """Of a plate with two sliders the special point rests; no pivot has a letter that could stand for it."""
+    log = record(read(machine(102, guides=2).text)).construction
+    first, _ = equations(log, "velocities")
+    assert first.directions == "v_{W5} ∥ q_{1}–q_{1}, ∥ q_{2}–q_{2}"
+    first, _ = equations(log, "accelerations")
+    assert first.text == "a_W5 = a_W5C^n + a_W5^t = a_W5F^n + a_W5^t"
