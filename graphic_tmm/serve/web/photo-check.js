@@ -22,7 +22,13 @@ export class PhotoCheck {
   constructor(words, scene, tell) {
     this.words = words;
     this.scene = scene;
-    this.tell = tell;
+    /** What was said last. */
+    this.last = "";
+    /** @param {string} text */
+    this.tell = (text) => {
+      this.last = text;
+      tell(text);
+    };
     this.clicks = new Clicks(() => this.change());
     /** @type {File | null} */
     this.file = null;
@@ -167,6 +173,11 @@ export class PhotoCheck {
   lettered(click) {
     if (click.what === "corner") return String(cornersOf(this.clicks.list).indexOf(click) + 1);
     return `${this.clicks.placeOf(click)[click.what]} ${click.position}`;
+  }
+
+  /** What was said last of the photograph that is worked on; "" where none is. */
+  get standing() {
+    return this.seen && this.file !== null ? this.last : "";
   }
 
   /** Whether there is something to be checked. */

@@ -22,6 +22,8 @@ const { words } = scene;
 const main = /** @type {HTMLElement} */ (document.getElementById("main"));
 const head = /** @type {HTMLElement} */ (document.getElementById("head"));
 const told = /** @type {HTMLElement} */ (document.getElementById("told"));
+/** How a scene stands when nothing is wrong with it. */
+const QUIET = ["", "drawing", "drawn"];
 /** Where the way of looking, and the place in the page, are remembered while the page is loaded anew. */
 const MEMORY = `studio ${location.pathname}`;
 const { way = "", place = "" } = remembered();
@@ -86,7 +88,8 @@ function standing() {
 function tellState() {
   const stands = standing();
   const text = filled(words[stands] ?? "", { n: state?.errors.length ?? 0, why: state?.failed ?? "" });
-  if (text !== stood) tell(text);
+  // a photograph that is worked on keeps its line while nothing is wrong with the scene
+  if (text !== stood) tell(QUIET.includes(stands) ? photo.standing || text : text);
   stood = text;
   document.body.classList.toggle("lost", stands === "lost");
   document.body.classList.toggle("busy", stands === "drawing");

@@ -128,6 +128,19 @@ def test_plans_are_looked_for_and_wait_to_be_confirmed(
     assert "Velocity plan, 1: p" in photo.rows
 
 
+def test_what_is_said_of_plans_outlasts_the_drawing_of_the_scene(
+    sheet: Sheet, lever: str, tab_of: Callable[..., Tab]
+) -> None:
+    tab = tab_of(lever)
+    photo = Photo(tab, "own.jpg", sheet.jpeg)
+    # plans that are found at once, whatever the machine: the scene's page is drawn a while longer
+    tab.page.route("**/proposals?*", lambda route: route.fulfill(json={"plans": []}))
+    photo.side.get_by_role("button", name="Look for the plans").click()
+    tab.told("Plans found: 0")
+    tab.page.locator("body:not(.busy)").wait_for()
+    expect(tab.page.locator("#told")).to_contain_text("Plans found: 0")
+
+
 def test_marks_are_set_moved_taken_back_and_removed(lever: str, tab_of: Callable[..., Tab]) -> None:
     photo = Photo(tab_of(lever), "dull.png", DULL.getvalue())
     check = photo.side.get_by_role("button", name="Check it")
