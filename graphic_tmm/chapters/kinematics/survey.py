@@ -312,7 +312,8 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     found = [np.ones(row.shape), *(_sine(reading, *two) for two in crossings)]
     for closing, image in groups:
         found.append(_speed(reading, image))
-        pinned = (leg for leg in closing.legs if isinstance(leg, PinLeg) or leg.inner)
+        legs = (leg for two in _crossings(tried, closing) for leg in two)
+        pinned = (leg for leg in legs if isinstance(leg, PinLeg) or leg.inner)
         hung = [leg.line for leg in pinned if crank and leg.body == first.link]
         arm = reading[crank[1]] - reading[crank[0]] if crank else np.ones_like(row)
         found += [np.abs((np.conj(arm) * reading[line].along).imag) / np.abs(arm) for line in hung]
