@@ -186,121 +186,142 @@ class Machine(NamedTuple):
     links: tuple[int, ...]
 
 
-def machine(  # noqa: C901
-    seed: int, *, guides: int = 0, before: bool = False, behind: bool = False
-) -> Machine:
+class Assembly:
+    """A mechanism put together on a plane: a crank OA at some angle, and what is joined to it link by link.
+
+    ``world``: where letters stand; ``lines``: more lines of the table of a link; ``tables``: more tables of the
+    scene; ``held``: pins that are there already, each with its body.
+    """
+
+    def __init__(self, seed: int) -> None:
+        self.chance = np.random.default_rng(seed)
+        self.phi = self.some(0, 2 * math.pi)
+        crank = self.some(0.03, 0.08)
+        self.world = {"O": 0j, "A": crank * cmath.exp(1j * self.phi)}
+        self.bodies = Bodies(pins=[Pin(1, 0j, 0, 0j)], poses={1: (0j, self.phi)})
+        self.frame: dict[str, complex] = {"O": 0j}
+        self.letters: dict[tuple[str, int], complex] = {("A", 1): complex(crank)}
+        self.lines: dict[int, list[str]] = {}
+        self.held = [("A", 1)]
+        self.tables: list[str] = []
+
+    def some(self, low: float, high: float) -> float:
+        return float(self.chance.uniform(low, high))
+
+    def polar(self, low: float, high: float) -> complex:
+        return self.some(low, high) * cmath.exp(2j * math.pi * self.some(0, 1))
+
+    def link(self, at: complex, angle: float, points: str) -> int:
+        """Put the next link on letters that stand already."""
+        number = len(self.bodies.poses) + 1
+        self.bodies.poses[number] = (at, angle)
+        for letter in points:
+            self.letters[letter, number] = (self.world[letter] - at) * cmath.exp(-1j * angle)
+        return number
+
+    def rod(self, first: str, second: str) -> int:
+        at = self.world[first]
+        return self.link(at, cmath.phase(self.world[second] - at), first + second)
+
+    def fix(self, letter: str, place: complex) -> None:
+        self.world[letter] = self.frame[letter] = place
+
+    def pin(self, letter: str, first: int, second: int) -> None:
+        """Join two links, or a link and the frame (0), where a letter stands."""
+        own = [self.letters[letter, k] if k else self.world[letter] for k in (first, second)]
+        self.bodies.pins.append(Pin(first, own[0], second, own[1]))
+
+    def dyad(self, start: str, on: int, inner: str, outer: str, size: tuple[float, float]) -> int:
+        """Hang two links on a letter of a body and on the frame; return the second."""
+        self.world[inner] = self.world[start] + self.polar(*size)
+        self.fix(outer, self.world[inner] + self.polar(0.1, 0.2))
+        a, b = self.rod(start, inner), self.rod(inner, outer)
+        self.pin(start, a, on)
+        self.pin(inner, b, a)
+        self.pin(outer, b, 0)
+        chord, arm = (self.world[k] - self.world[start] for k in (outer, inner))
+        side = "left" if (chord.conjugate() * arm).imag > 0 else "right"
+        self.lines[a] = [f'side = "{side} of {start}{outer}"']
+        return b
+
+    def before(self) -> None:
+        """Let a dyad stand on the crank: what comes next holds on to its pin too."""
+        self.held.append(("G", self.dyad("A", 1, "G", "H", (0.15, 0.25))))
+
+    def near(self, plate: int, angle: float) -> None:
+        """Say that a plate whose line stands at an angle (rad) is near that place."""
+        self.lines[plate] = [
+            f'near = "{math.degrees(angle) % 360:.9f} deg"',
+            f'near_at = "{math.degrees(self.phi):.12f} deg"',
+        ]
+
+    def machine(self, title: str) -> Machine:
+        """Return it as a scene."""
+        self.letters["O", 1] = 0j
+        tables = [f'title = "{title}"\n[frame]\n' + "".join(_frame(self.frame))]
+        for k in sorted(self.bodies.poses):
+            points = ", ".join(
+                f"{letter} = [{z.real!r}, {z.imag!r}]"
+                for (letter, on), z in self.letters.items()
+                if on == k
+            )
+            more = "".join(f"{one}\n" for one in self.lines.get(k, []))
+            tables.append(f"[[link]]\nnumber = {k}\npoints = {{ {points} }}\n{more}")
+        tables.append('[drive]\nlink = 1\nspeed = 10\npositions = 12\naccelerations = "all"\n')
+        tables += self.tables
+        numbers = tuple(sorted(self.bodies.poses))
+        return Machine("\n".join(tables), self.bodies, self.letters, self.phi, numbers)
+
+
+def machine(seed: int, *, guides: int = 0, before: bool = False, behind: bool = False) -> Machine:
     """Return a random mechanism with a plate, laid at some angle of its crank.
 
     ``guides``: so many legs slide; ``before``: one leg is held by a dyad on the crank; ``behind``: a dyad hangs
     on the plate.
     """
-    chance = np.random.default_rng(seed)
-
-    def some(low: float, high: float) -> float:
-        return float(chance.uniform(low, high))
-
-    def polar(low: float, high: float) -> complex:
-        return some(low, high) * cmath.exp(2j * math.pi * some(0, 1))
-
-    phi = some(0, 2 * math.pi)
-    crank = some(0.03, 0.08)
-    world: dict[str, complex] = {"O": 0j, "A": crank * cmath.exp(1j * phi)}
-    bodies = Bodies(pins=[Pin(1, 0j, 0, 0j)], poses={1: (0j, phi)})
-    frame: dict[str, complex] = {"O": 0j}
-    tables: list[str] = []
-    letters: dict[tuple[str, int], complex] = {("A", 1): complex(crank)}
-    number = 1
-    held = [("A", 1, complex(crank))]
-
-    def link(at: complex, angle: float, points: dict[str, complex]) -> int:
-        nonlocal number
-        number += 1
-        bodies.poses[number] = (at, angle)
-        for letter, place in points.items():
-            letters[letter, number] = (place - at) * cmath.exp(-1j * angle)
-        return number
-
-    def own(letter: str, k: int) -> complex:
-        return letters[letter, k]
-
-    def rod(first: str, second: str) -> int:
-        at = world[first]
-        return link(at, cmath.phase(world[second] - at), {first: at, second: world[second]})
-
-    def fix(letter: str, place: complex) -> None:
-        world[letter] = frame[letter] = place
-
-    lines: dict[int, list[str]] = {}
+    one = Assembly(seed)
+    world = one.world
     if before:
-        world["G"] = world["A"] + polar(0.15, 0.25)
-        fix("H", world["G"] + polar(0.1, 0.2))
-        a, b = rod("A", "G"), rod("G", "H")
-        bodies.pins += [
-            Pin(a, own("A", a), 1, complex(crank)),
-            Pin(b, own("G", b), a, own("G", a)),
-            Pin(b, own("H", b), 0, world["H"]),
-        ]
-        sign = ((world["H"] - world["A"]).conjugate() * (world["G"] - world["A"])).imag
-        lines[a] = [f'side = "{"left" if sign > 0 else "right"} of AH"']
-        held.append(("G", b, own("G", b)))
-    middle = world["A"] + polar(0.1, 0.25)
-    size = some(0.04, 0.1)
-    turn = 2 * math.pi * some(0, 1)
+        one.before()
+    middle = world["A"] + one.polar(0.1, 0.25)
+    size = one.some(0.04, 0.1)
+    turn = 2 * math.pi * one.some(0, 1)
     for k, letter in enumerate("BCF"):
-        world[letter] = middle + size * some(0.6, 1.4) * cmath.exp(1j * (turn + 2.1 * k))
-    angle = 2 * math.pi * some(0, 1)
+        world[letter] = middle + size * one.some(0.6, 1.4) * cmath.exp(1j * (turn + 2.1 * k))
+    angle = 2 * math.pi * one.some(0, 1)
     legs = []
     for k, letter in enumerate("BCF"):
-        if k < 1 or (k < 2 and before):
-            outer, on, at = held[-1 - k] if before else held[0]
-            leg = rod(outer, letter)
-            bodies.pins.append(Pin(leg, own(outer, leg), on, at))
+        if k < len(one.held):
+            outer, on = one.held[-1 - k]
+            leg = one.rod(outer, letter)
+            one.pin(outer, leg, on)
         elif k >= 3 - guides:
-            way = 360 * some(0, 1)
-            through = world[letter] + polar(0.02, 0.05)
-            through = world[letter] + cmath.exp(1j * math.radians(way)) * some(0.02, 0.06)
-            name = f"q{k}"
-            frame[name] = through
-            leg = link(world[letter], math.radians(way), {letter: world[letter]})
-            bodies.guides.append(Guide(leg, 0j, 0, through, math.radians(way)))
-            frame[f"{name} angle"] = complex(way)
-            lines[leg] = [f'slides = {{ on = "frame", along = "{name}" }}']
+            leg = _sliding(one, letter, f"q{k}")
         else:
             outer = "DE"[k - 1]
-            fix(outer, world[letter] + polar(0.1, 0.25))
-            leg = rod(letter, outer)
-            bodies.pins.append(Pin(leg, own(outer, leg), 0, world[outer]))
+            one.fix(outer, world[letter] + one.polar(0.1, 0.25))
+            leg = one.rod(letter, outer)
+            one.pin(outer, leg, 0)
         legs.append(leg)
-    plate = link(world["B"], angle, {k: world[k] for k in "BCF"})
-    lines[plate] = [
-        f'near = "{math.degrees(angle) % 360:.9f} deg"',
-        f'near_at = "{math.degrees(phi):.12f} deg"',
-    ]
-    bodies.pins += [
-        Pin(leg, own(letter, leg), plate, own(letter, plate))
-        for leg, letter in zip(legs, "BCF", strict=True)
-    ]
+    plate = one.link(world["B"], angle, "BCF")
+    one.near(plate, angle)
+    for leg, letter in zip(legs, "BCF", strict=True):
+        one.pin(letter, leg, plate)
     if behind:
-        world["K"] = world["F"] + polar(0.1, 0.2)
-        fix("M", world["K"] + polar(0.1, 0.2))
-        a, b = rod("F", "K"), rod("K", "M")
-        bodies.pins += [
-            Pin(a, own("F", a), plate, own("F", plate)),
-            Pin(b, own("K", b), a, own("K", a)),
-            Pin(b, own("M", b), 0, world["M"]),
-        ]
-        sign = ((world["M"] - world["F"]).conjugate() * (world["K"] - world["F"])).imag
-        lines[a] = [f'side = "{"left" if sign > 0 else "right"} of FM"']
-    letters["O", 1] = 0j
-    tables.append('title = "Plate"\n[frame]\n' + "".join(_frame(frame)))
-    for k in sorted(bodies.poses):
-        points = ", ".join(
-            f"{letter} = [{z.real!r}, {z.imag!r}]" for (letter, on), z in letters.items() if on == k
-        )
-        more = "".join(f"{one}\n" for one in lines.get(k, []))
-        tables.append(f"[[link]]\nnumber = {k}\npoints = {{ {points} }}\n{more}")
-    tables.append('[drive]\nlink = 1\nspeed = 10\npositions = 12\naccelerations = "all"\n')
-    return Machine("\n".join(tables), bodies, letters, phi, tuple(sorted(bodies.poses)))
+        one.dyad("F", plate, "K", "M", (0.1, 0.2))
+    return one.machine("Plate")
+
+
+def _sliding(one: Assembly, letter: str, name: str) -> int:
+    """Put a slider on a letter, along a guide of the frame."""
+    way = 360 * one.some(0, 1)
+    one.polar(0.02, 0.05)
+    through = one.world[letter] + cmath.exp(1j * math.radians(way)) * one.some(0.02, 0.06)
+    one.frame[name], one.frame[f"{name} angle"] = through, complex(way)
+    leg = one.link(one.world[letter], math.radians(way), letter)
+    one.bodies.guides.append(Guide(leg, 0j, 0, through, math.radians(way)))
+    one.lines[leg] = [f'slides = {{ on = "frame", along = "{name}" }}']
+    return leg
 
 
 def _frame(frame: dict[str, complex]) -> list[str]:
