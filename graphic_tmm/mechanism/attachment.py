@@ -10,11 +10,20 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from heapq import heappop, heappush
+from itertools import chain, combinations
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.driven import Driven
-from graphic_tmm.mechanism.groups import AssurGroup, Group, Kind, Leg, Pair, PlateGroup
+from graphic_tmm.mechanism.groups import (
+    AssurGroup,
+    Group,
+    Kind,
+    Leg,
+    Pair,
+    PlateGroup,
+    SquareGroup,
+)
 from graphic_tmm.mechanism.records import Link, Mechanism, Slide
 
 
@@ -49,9 +58,8 @@ class Attachment:
 
     def attach(self, group: AssurGroup) -> list[int]:
         """Put a group to what is there; return its links, the rod of a cylinder behind it."""
-        plate = [group.plate] if isinstance(group, PlateGroup) else []
         legs = [number for leg in group.legs for number in (leg.link, *self._rod(leg.link))]
-        return self.stand([*legs, *plate])
+        return self.stand([*legs, *group.rest])
 
     def stand(self, links: list[int]) -> list[int]:
         """Count links to what is there; return them."""
@@ -75,7 +83,7 @@ class Attachment:
                 legs = self.outer[first][0], self.outer[second][0]
                 found = _group(*legs, inner[0], first, second)
                 return found._replace(rods=tuple(k for n in (first, second) for k in self._rod(n)))
-        return next(self._plates(), None)
+        return next(chain[AssurGroup](self._plates(), self._squares()), None)
 
     def _plates(self) -> Iterator[PlateGroup]:
         """Yield the plates that three links hold which are held by what is there."""
@@ -109,6 +117,37 @@ class Attachment:
             rod for number in sorted((plate, *(n for n, _ in found))) for rod in self._rod(number)
         )
         return PlateGroup(plate, (legs[0], legs[1], legs[2]), (first[1], second[1], third[1]), rods)
+
+    def _squares(self) -> Iterator[SquareGroup]:
+        """Yield two links held by what is there that two others join: with these they make a closed square."""
+        ready = sorted(filter(self._ready, self.left))
+        free = sorted(number for number in self.left if not self.outer[number])
+        for one, two in combinations(ready, 2):
+            found = [(k, self._inner(k, one), self._inner(k, two)) for k in free]
+            joining = [(k, a[0], b[0]) for k, a, b in found if len(a) == 1 and len(b) == 1]
+            if len(joining) == 2 and not self._inner(one, two):
+                yield self._square(one, two, joining)
+
+    def _square(self, one: int, two: int, joining: Sequence[tuple[int, Pair, Pair]]) -> SquareGroup:
+        (first, *pins), (second, *others) = joining
+        outer = [self.outer[number][0] for number in (one, two)]
+        links = sorted((one, two, first, second))
+        strange = [pair for pair in (*outer, *pins, *others) if pair.kind == "P"]
+        letters = {pair.name for pair in (*pins, *others)}
+        if strange or len(letters) < 4 or any(self._rod(number) for number in links):
+            raise StructureError(
+                said(
+                    "links {names} make a group of class IV: this board draws it where all its six pairs are "
+                    "turning ones at letters of their own, and none of its links is a cylinder that is driven",
+                    names=", ".join(map(str, links)),
+                ),
+                *(f"link {number}" for number in links),
+            )
+        legs = (
+            Leg(one, outer[0].other(one), outer[0]),
+            Leg(two, outer[1].other(two), outer[1]),
+        )
+        return SquareGroup(legs, (first, second), ((pins[0], pins[1]), (others[0], others[1])))
 
     def _ready(self, number: int) -> bool:
         """Whether a link that is left holds on to what is there by one pair."""

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal, NamedTuple, Never, NoReturn
 
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.records import Slide
+from graphic_tmm.mechanism.records import Link, Slide
 
 
 class Pair(NamedTuple):
@@ -70,6 +70,16 @@ class Group(NamedTuple):
         """How many pairs it has."""
         return 3
 
+    @property
+    def rest(self) -> tuple[int, ...]:
+        """Its links that nothing holds which is there: none."""
+        return ()
+
+    @property
+    def plates(self) -> tuple[int, ...]:
+        """Its links that are laid with tracing paper: none."""
+        return ()
+
 
 class PlateGroup(NamedTuple):
     """An Assur group of class III and order 3: a plate on three legs, each held by what is there already.
@@ -102,16 +112,74 @@ class PlateGroup(NamedTuple):
         """How many pairs it has."""
         return 6
 
+    @property
+    def rest(self) -> tuple[int, ...]:
+        """Its links that nothing holds which is there: the plate."""
+        return (self.plate,)
 
-AssurGroup = Group | PlateGroup
+    @property
+    def plates(self) -> tuple[int, ...]:
+        """Its links that are laid with tracing paper: the plate."""
+        return (self.plate,)
+
+
+class SquareGroup(NamedTuple):
+    """An Assur group of class IV and order 2: two plates, each about a pivot that is there, and two links.
+
+    ``legs``: the plates as they hold on to what is there, the smaller number first. ``joining``: the links that
+    join them; ``inner``: the turning pairs of each of these with the first plate and with the second.
+    """
+
+    legs: tuple[Leg, Leg]
+    joining: tuple[int, int]
+    inner: tuple[tuple[Pair, Pair], tuple[Pair, Pair]]
+    rods: tuple[int, ...] = ()
+
+    @property
+    def links(self) -> tuple[int, ...]:
+        """The plates and what joins them, the smallest number first."""
+        return tuple(sorted((*self.plates, *self.joining)))
+
+    @property
+    def name(self) -> str:
+        """The group as it stands in the formula of structure: "2-3-4-5"."""
+        return "-".join(map(str, self.links))
+
+    @property
+    def formula(self) -> str:
+        """What it is in the formula of structure: "IV(2-3-4-5)"."""
+        return f"IV({self.name})"
+
+    @property
+    def pairs(self) -> int:
+        """How many pairs it has."""
+        return 6
+
+    @property
+    def rest(self) -> tuple[int, ...]:
+        """Its links that nothing holds which is there: those that join the plates."""
+        return self.joining
+
+    @property
+    def plates(self) -> tuple[int, ...]:
+        """Its links that are laid with tracing paper: both plates."""
+        return tuple(leg.link for leg in self.legs)
+
+
+AssurGroup = Group | PlateGroup | SquareGroup
 """A group of any class that this board draws."""
+
+
+def laid(group: AssurGroup, links: Mapping[int, Link]) -> int:
+    """Return the plate of a group whose place a scene tells by its key near, the first if none does so."""
+    return next((k for k in group.plates if links[k].near is not None), group.plates[0])
 
 
 def known_groups(groups: Iterable[AssurGroup], room: str) -> Iterator[AssurGroup]:
     """Yield groups of all classes in the order of attachment; StructureError of one that is not known."""
     for group in groups:
         match group:
-            case Group(kind=1 | 2 | 3 | 4 | 5) | PlateGroup():
+            case Group(kind=1 | 2 | 3 | 4 | 5) | PlateGroup() | SquareGroup():
                 yield group
             case _:
                 untreated(group.kind, group, room)
@@ -125,11 +193,13 @@ def of_two_links(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
 def class_two(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
     """Yield groups of two links; StructureError of one of another class."""
     for group in known_groups(groups, room):
-        if isinstance(group, PlateGroup):
+        if not isinstance(group, Group):
             raise StructureError(
                 said(
-                    "group {name} is of class III: this is drawn of groups of class II only; leave it out",
+                    "group {name} is of class {numeral}: this is drawn of groups of class II only; leave "
+                    "it out",
                     name=group.name,
+                    numeral=group.formula.partition("(")[0],
                 ),
                 *(f"link {number}" for number in group.links),
                 head=room,

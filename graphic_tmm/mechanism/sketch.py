@@ -13,7 +13,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from graphic_tmm.mechanism.groups import Pair, PlateGroup, known_groups
+from graphic_tmm.mechanism.groups import Group, Pair, known_groups, laid
 from graphic_tmm.mechanism.guides import level, turn
 from graphic_tmm.mechanism.records import Arm, Guide, Link, Mechanism, Slide
 from graphic_tmm.mechanism.sketch_sides import pin_ends, put_along, put_left, put_near, rod_ends
@@ -214,8 +214,8 @@ def built(drawn: Mechanism, degrees: float = 0.0, like: Mechanism | None = None)
             for rod in group.rods:
                 pair = next(one.pair for one in structure.driven if one.link == rod)
                 put_along(bare, pair, rod_ends(drawn, pair), drawn, degrees)
-        if isinstance(group, PlateGroup):
-            lies = poses[group.plate].angle
+        if not isinstance(group, Group):
+            lies = poses[laid(group, bare)].angle
             put_near(bare, group, drawn, structure.first, (_angle(lies), degrees))
         elif group.kind == 1:
             doubt[group.name] = put_left(bare, group, drawn, degrees)

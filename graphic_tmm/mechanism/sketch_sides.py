@@ -5,14 +5,14 @@ from __future__ import annotations
 from dataclasses import replace
 
 from graphic_tmm.mechanism.driven import Driven
-from graphic_tmm.mechanism.groups import Group, Pair, PlateGroup
+from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, laid
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.records import TURN, Link, Mechanism, Near, Side
 
 
 def put_near(
     links: dict[int, Link],
-    group: PlateGroup,
+    group: AssurGroup,
     drawn: Mechanism,
     first: Driven,
     lies: tuple[float, float],
@@ -25,8 +25,8 @@ def put_near(
         coordinate = abs(rod - cylinder)
     elif first.drive.slides:
         coordinate = None
-    plate = links[group.plate]
-    links[group.plate] = replace(plate, near=plate.near or Near(angle, coordinate))
+    number = laid(group, links)
+    links[number] = replace(links[number], near=links[number].near or Near(angle, coordinate))
 
 
 def pin_ends(drawn: Mechanism, group: Group) -> tuple[complex, complex]:

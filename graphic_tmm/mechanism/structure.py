@@ -146,9 +146,10 @@ def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
             )
     return StructureError(
         said(
-            "links {names} make a group of class IV or higher, or are tied to each other "
-            "only: this board draws groups of class II (two links, three pairs) and of class III where "
-            "three links hold one plate; check the letters and slides of these links",
+            "links {names} make a group of a class above IV or of a higher order, or are tied to each other "
+            "only: this board draws groups of class II (two links, three pairs), of class III where three "
+            "links hold one plate, and of class IV where two links join two plates; check the letters and "
+            "slides of these links",
             names=names,
         ),
         *keys,

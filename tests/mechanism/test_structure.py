@@ -16,7 +16,7 @@ from support.gallery import SHEETS
 from support.mechanisms import KINDS, Sampled, mechanisms, sample
 
 from graphic_tmm.errors import StructureError
-from graphic_tmm.mechanism.groups import PlateGroup
+from graphic_tmm.mechanism.groups import PlateGroup, SquareGroup
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
 from graphic_tmm.mechanism.structure import Structure, dissect
 from graphic_tmm.scene.read import read
@@ -179,16 +179,40 @@ WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
         mechanism(*FOUR_BAR, link(4, "XY")),
         ("link 4 is tied to nothing", "slide"),
     ),
-    "class IV": (
+    "three plates in a ring": (
         mechanism(
             link(1, "OA"),
             link(2, "ABE"),
             link(3, "BD"),
+            link(4, "DFC"),
+            link(5, "FG"),
+            link(6, "GHK"),
+            link(7, "HE"),
+            frame=Link(0, {"O": 0j, "C": 4j, "K": 5 + 0j}),
+        ),
+        ("2, 3, 4, 5, 6, 7", "class above IV"),
+    ),
+    "a square with a sliding pair": (
+        mechanism(
+            link(1, "OA"),
+            link(2, "ABE"),
+            link(3, "B", Slide(5, X)),
             link(4, "EF"),
-            link(5, "DFC"),
+            link(5, "FC", guides=(X,)),
             frame=Link(0, {"O": 0j, "C": 4j}),
         ),
-        ("2, 3, 4, 5", "class IV"),
+        ("2, 3, 4, 5", "class IV", "turning ones"),
+    ),
+    "a square with a double pin": (
+        mechanism(
+            link(1, "OA"),
+            link(2, "ABE"),
+            link(3, "BD"),
+            link(4, "ED"),
+            link(5, "DC"),
+            frame=Link(0, {"O": 0j, "C": 4j}),
+        ),
+        ("3",),
     ),
     "three links that slide hold a plate": (
         mechanism(
@@ -287,6 +311,19 @@ def test_a_plate_on_three_legs_is_a_group_of_class_three() -> None:
         assert isinstance(group, PlateGroup)
         assert (group.plate, [leg.link for leg in group.legs]) == (3, [2, 4, 5])
         assert structure.formula == "I(1) → III(2-3-4-5)"
+
+
+def test_two_plates_that_two_links_join_are_a_group_of_class_four() -> None:
+    square = link(2, "ABE"), link(3, "BD"), link(4, "EF"), link(5, "DFC")
+    links = link(1, "OA"), *square, link(6, "DG"), link(7, "GH")
+    frame = Link(0, {"O": 0j, "C": 4j, "H": 5 + 0j})
+    for row in (links, links[::-1]):
+        structure = dissect(Mechanism(frame, row, Drive(1, 1.0)))
+        group = structure.groups[0]
+        assert isinstance(group, SquareGroup)
+        assert (group.plates, group.joining) == ((2, 5), (3, 4))
+        assert [[pair.name for pair in two] for two in group.inner] == [["B", "D"], ["E", "F"]]
+        assert structure.formula == "I(1) → IV(2-3-4-5) → II(6-7)"
 
 
 def test_a_dyad_comes_before_a_plate_and_behind_it() -> None:

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 
 from graphic_tmm.chapters.kinematics.closings import Branch
-from graphic_tmm.chapters.kinematics.plates import Plate
+from graphic_tmm.chapters.kinematics.tracings import Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels
 from graphic_tmm.mechanism.groups import PlateGroup
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Near, Side, Slide, Sweep
@@ -33,9 +33,9 @@ class Held(NamedTuple):
     drawn: Sampled
     places: dict[str, Branch]
 
-    def branches(self, wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
+    def branches(self, wheels: Wheels, tracing: Tracing) -> Branch:
         """Return which of its places the plate keeps."""
-        return self.places[group.name]
+        return self.places[tracing.group.name]
 
 
 @dataclass

@@ -1,11 +1,15 @@
 """The plate on tracing paper: three of its points are laid on three loci, arcs or guides, and it is pricked.
 
+Two plates that turn about pivots and are joined by two links are laid alike, each on a sheet of its own.
+
 Nothing closed does that: of a plate on three links there are up to six places. Which of them is meant is given
 as two angles near it; corrections in straight arithmetic lead to the place itself, or to none. How the plate
 lies is kept as a `Line` of two directions: ``at`` that of its first link, ``along`` that of its own line.
 """
 
 from __future__ import annotations
+
+from typing import NamedTuple
 
 import numpy as np
 
@@ -76,10 +80,17 @@ def _corrected(
     swing, turn = radius * (lies.at * 1j), lies.along * 1j
     second_swing, second_turn = along(swing, second), along(c * turn, second)
     third_swing, third_turn = along(swing, third), along(f * turn, third)
-    share = 1.0 / (second_swing * third_turn - third_swing * second_turn)
-    by_leg = (off.imag * second_turn - off.real * third_turn) * share
-    by_plate = (off.real * third_swing - off.imag * second_swing) * share
-    return Line(turned_by(lies.at, by_leg), turned_by(lies.along, by_plate))
+    return _both_turned(lies, off, second_swing, second_turn, third_swing, third_turn)
+
+
+def _both_turned(
+    lies: Line, off: Complexes, first_at: Reals, first_along: Reals, at: Reals, along_: Reals
+) -> Line:
+    """Return both directions turned so that two lengths fit; the last four: how they grow as it turns."""
+    share = 1.0 / (first_at * along_ - at * first_along)
+    by_at = (off.imag * first_along - off.real * along_) * share
+    by_along = (off.real * at - off.imag * first_at) * share
+    return Line(turned_by(lies.at, by_at), turned_by(lies.along, by_along))
 
 
 def on_arcs(lies: Line, first: Arc, second: Arc, third: Arc, c: Complexes, f: Complexes) -> Line:
@@ -109,14 +120,74 @@ def on_guides(
     return _corrected(lies, first.radius, c, f, off, second.along * 1j, third.along * 1j)
 
 
+class Square(NamedTuple):
+    """Two plates about pivots with two links that join them: what is known of them before they are laid.
+
+    ``to``, ``at``: the pivots; from these, in the plates' own axes, the pins of the links (``b`` from ``to``,
+    ``c`` from ``at``); ``l``: how long the links are. Of a `Line` ``at`` is the direction of the plate about
+    ``to``, ``along`` that of the one about ``at``.
+    """
+
+    to: Point
+    at: Point
+    b1: Complexes
+    b2: Complexes
+    c1: Complexes
+    c2: Complexes
+    l1: Reals
+    l2: Reals
+
+
+def square_off(square: Square, lies: Line) -> Complexes:
+    """Return how far the ends of both links, held at one plate, are outside the pins of the other."""
+    first, second = square_arcs(square, lies)
+    at_c1, at_c2 = square.at + square.c1 * lies.along, square.at + square.c2 * lies.along
+    return vector(arc_off(at_c1, first), arc_off(at_c2, second))
+
+
+def square_arcs(square: Square, lies: Line) -> tuple[Arc, Arc]:
+    """Return the arcs of both links about their pins on the plate about ``to``."""
+    b1, b2 = square.to + square.b1 * lies.at, square.to + square.b2 * lies.at
+    return Arc(b1, square.l1), Arc(b2, square.l2)
+
+
+def square_grows(square: Square, lies: Line) -> tuple[Reals, Reals, Reals, Reals]:
+    """Return how the first link would grow as each plate turns, by ``at`` and ``along``; then the second."""
+    first, second = square_arcs(square, lies)
+    n1 = arc_normal(square.at + square.c1 * lies.along, first)
+    n2 = arc_normal(square.at + square.c2 * lies.along, second)
+    swing, turn = lies.at * 1j, lies.along * 1j
+    return (
+        -along(square.b1 * swing, n1),
+        along(square.c1 * turn, n1),
+        -along(square.b2 * swing, n2),
+        along(square.c2 * turn, n2),
+    )
+
+
+def square_held(square: Square, lies: Line) -> Reals:
+    """Return how well the plates are held, per area: 0 where they can move."""
+    first_at, first_along, at, along_ = square_grows(square, lies)
+    return first_at * along_ - at * first_along
+
+
+def on_links(lies: Line, square: Square) -> Line:
+    """Return how two plates lie after one correction, joined by two links."""
+    return _both_turned(lies, square_off(square, lies), *square_grows(square, lies))
+
+
+def square_size(square: Square) -> Reals:
+    """Return the lengths of which the plates may be off by a share."""
+    return np.abs(square.c1) + np.abs(square.c2) + np.abs(square.b1) + np.abs(square.b2)
+
+
 def _pricked(
-    first: Arc, lies: Line, near: Line, off: Complexes, alike: Reals, c: Complexes, f: Complexes
+    start: Complexes, size: Reals, lies: Line, near: Line, off: Complexes, alike: Reals
 ) -> Line:
     """Return the plate's own line; NaN where its points are off their loci, or it went to another place.
 
     ``alike``: less than 0 where it is held there the other way round than near the place.
     """
-    size = first.radius + np.abs(c) + np.abs(f)
     there = (
         (np.abs(off) <= OFF * size)
         & (alike >= 0.0)
@@ -124,7 +195,7 @@ def _pricked(
         & (along(lies.along, near.along) > FAR)
     )
     plate = pick(there, lies.along, lies.along * np.nan)
-    return Line(first.centre + first.radius * lies.at, plate)
+    return Line(start, plate)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -158,7 +229,7 @@ def trace(
     second_normal = arc_normal(begun + c * near.along, second)
     third_normal = arc_normal(begun + f * near.along, third)
     alike = there * held(near, c, f, second_normal, third_normal)
-    return _pricked(first, lies, near, off, alike, c, f)
+    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -190,7 +261,7 @@ def trace_on_guide(
     there = held(lies, c, f, arc_normal(at_c, second), way)
     begun = first.centre + first.radius * near.at
     alike = there * held(near, c, f, arc_normal(begun + c * near.along, second), way)
-    return _pricked(first, lies, near, off, alike, c, f)
+    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -221,7 +292,56 @@ def trace_on_guides(
     second_normal, third_normal = second.along * 1j, third.along * 1j
     there = held(lies, c, f, second_normal, third_normal)
     alike = there * held(near, c, f, second_normal, third_normal)
-    return _pricked(first, lies, near, off, alike, c, f)
+    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
+
+
+@operation(
+    symbol="2P1 + 4P2 + 4R1 + 2R2",
+    fails="the two plates cannot be laid so that both links join them",
+    why=said(
+        "Each plate turns about its own pivot and both links are rigid, so the plates are where both fit at "
+        "once; of the places where they do it is the one next to that of the neighbouring position."
+    ),
+)
+def trace_joined(
+    to: Point,
+    at: Point,
+    b: Length,
+    bx: Length,
+    by: Length,
+    c: Length,
+    cx: Length,
+    cy: Length,
+    first: Length,
+    second: Length,
+    other: Angle,
+    plate: Angle,
+) -> Line:
+    """Fit tracings ({b}; {bx}, {by}) at {to} and ({c}; {cx}, {cy}) at {at} to {first} and {second}; prick {it}.
+
+    ``b``, ``c``: where the first link joins the plates, along their lines from the pivots; ``bx`` and so on:
+    where the second does, along and to the left. The line pricked through is that of the plate about ``at``.
+    """
+    square = Square(
+        to,
+        at,
+        vector(b, 0.0 * b),
+        vector(bx, by),
+        vector(c, 0.0 * c),
+        vector(cx, cy),
+        first,
+        second,
+    )
+    near = Line(cis(other), cis(plate))
+    lies = on_links(near, square)
+    lies = on_links(lies, square)
+    lies = on_links(lies, square)
+    lies = on_links(lies, square)
+    lies = on_links(lies, square)
+    lies = on_links(lies, square)
+    alike = square_held(square, lies) * square_held(square, near)
+    off = square_off(square, lies)
+    return _pricked(at + 0.0 * lies.along, square_size(square), lies, near, off, alike)
 
 
 @operation(symbol=FREE, why=said("The first of the three points stands where the line begins."))

@@ -23,6 +23,7 @@ from graphic_tmm.chapters.kinematics.bodies import Meshed, Positions
 from graphic_tmm.chapters.kinematics.closings import (
     Closing,
     PlateClosing,
+    SquareClosing,
 )
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
@@ -37,6 +38,7 @@ from graphic_tmm.chapters.kinematics.motion import (
     pivot_image,
 )
 from graphic_tmm.chapters.kinematics.special_point import plate_accelerations
+from graphic_tmm.chapters.kinematics.special_square import square_accelerations
 from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
@@ -68,6 +70,8 @@ def draw_accelerations(
             _wheel(draft, positions, velocities, plan, one)
         elif isinstance(one, PlateClosing):
             plate_accelerations(draft, positions, velocities, plan, one)
+        elif isinstance(one, SquareClosing):
+            square_accelerations(draft, positions, velocities, plan, one)
         else:
             _group(draft, positions, velocities, plan, one)
     hang_passive(positions, plan)

@@ -1,4 +1,4 @@
-"""Which place a plate on three legs keeps: all of them at one coordinate of the drive, one followed from there.
+"""Which place a plate keeps, or two joined ones: all of them at one coordinate of the drive, one followed.
 
 Between two places of a plate that meet it is not held: the sign of how it is held tells one from the other.
 """
@@ -7,36 +7,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from itertools import combinations
-from typing import Any, NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.tracing import (
     OFF,
-    arc_normal,
-    arc_off,
-    held,
-    line_off,
-    on_arcs,
-    on_guide,
-    on_guides,
 )
-from graphic_tmm.board.values import Arc, Complexes, Line, Reals
+from graphic_tmm.board.values import Complexes, Line, Reals
 from graphic_tmm.chapters.kinematics.closings import Branch
-from graphic_tmm.chapters.kinematics.plates import Plate
 from graphic_tmm.chapters.kinematics.sides import standing
+from graphic_tmm.chapters.kinematics.tracings import Loci, Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import PlateGroup
 from graphic_tmm.mechanism.records import Near, Sweep
 
-Loci = tuple[Any, Any, Any]
-"""The loci of the three pins: an arc, then arcs before guides (`Line`)."""
-CORRECTIONS = on_arcs, on_guide, on_guides
-"""A correction of how a plate lies, by how many of its pins are on guides."""
 STARTS = 60, 240
 """So many directions of the first leg, and of the plate, are tried for places; then so many, if their number
 is odd: places come and go in twos."""
@@ -54,27 +40,16 @@ ALIKE = 1e-6
 """Two places that differ by less, rad, are one."""
 
 
-class PlateSizes(NamedTuple):
-    """Where the second and the third pin of a plate are from the first, along its line and to the left, mm."""
-
-    second: float
-    third: complex
-
-
 class Search:
-    """The places of a plate at coordinates of the drive; ``loci``: those of its pins at a row of these."""
+    """The places of what is laid at coordinates of the drive; ``loci``: what stands there at a row of these."""
 
     def __init__(
         self,
-        group: PlateGroup,
-        sizes: PlateSizes,
+        tracing: Tracing,
         loci: Callable[[Reals], Loci],
         sweep: Sweep,
     ) -> None:
-        self.group, self.loci, self.sweep = group, loci, sweep
-        self.c, self.f = (np.array([[complex(one)]]) for one in sizes)
-        guides = sum(leg.pair.kind == "P" for leg in group.legs)
-        self.corrected = CORRECTIONS[guides]
+        self.tracing, self.loci, self.sweep = tracing, loci, sweep
 
     def places(self, at: float) -> list[Line]:
         """Return all places at a coordinate, by the direction of the plate."""
@@ -90,7 +65,7 @@ class Search:
         return sorted(found, key=lambda one: float(np.angle(one.along)[0, 0]))
 
     def follow(self, start: Line, at: float) -> Branch:
-        """Return a place followed_plate from a coordinate all over the sweep, or to where it meets another."""
+        """Return a place followed from a coordinate all over the sweep, or to where it meets another."""
         sweep = self.sweep
         way = sweep.high - sweep.low
         ends = (at - way, at + way) if sweep.closed else (sweep.low, sweep.high)
@@ -111,16 +86,16 @@ class Search:
         lies = Line(*(np.concatenate([node[1][k] for node in nodes], axis=1) for k in (0, 1)))
         row, lies = self._denser(*self._denser(row, lies))
         leg, plate = (np.degrees(np.unwrap(np.angle(one[0]))) for one in lies)
-        return Branch(row, leg, plate, sweep, whole, self._crossing(row, lies))
+        return Branch(row, leg, plate, sweep, whole, self.tracing.crossing(self.loci(row), lies))
 
     def _elsewhere(self) -> StructureError:
         return StructureError(
             said(
                 "link {plate} is at another of its places after a turn of the drive: this board draws what "
                 "comes back after one turn",
-                plate=self.group.plate,
+                plate=self.tracing.link.number,
             ),
-            f"link {self.group.plate}",
+            f"link {self.tracing.link.number}",
         )
 
     def _run(self, start: Line, at: float, end: float) -> list[tuple[float, Line]]:
@@ -176,43 +151,16 @@ class Search:
     def _laid(self, loci: Loci, lies: Line, times: int) -> Line:
         with np.errstate(all="ignore"):
             for _ in range(times):
-                lies = self.corrected(lies, *loci, self.c, self.f)
+                lies = self.tracing.corrected(loci, lies)
         return lies
 
-    def _pins(self, loci: Loci, lies: Line) -> tuple[Complexes, Complexes]:
-        b = loci[0].centre + loci[0].radius * lies.at
-        return b + self.c * lies.along, b + self.f * lies.along
-
     def _there(self, loci: Loci, lies: Line) -> np.ndarray:
-        size = loci[0].radius + abs(self.c) + abs(self.f)
         with np.errstate(all="ignore"):
-            pins = zip(self._pins(loci, lies), loci[1:], strict=True)
-            off = [np.abs(_off(pin, locus)) for pin, locus in pins]
-            return np.asarray((off[0] <= OFF * size) & (off[1] <= OFF * size))
-
-    def _normals(self, loci: Loci, lies: Line) -> tuple[Complexes, Complexes, Complexes]:
-        second, third = (
-            arc_normal(pin, locus) if isinstance(locus, Arc) else locus.along * 1j
-            for pin, locus in zip(self._pins(loci, lies), loci[1:], strict=True)
-        )
-        return lies.at, second, third
+            off, most = self.tracing.off(loci, lies), OFF * self.tracing.size(loci)
+            return np.asarray((np.abs(off.real) <= most) & (np.abs(off.imag) <= most))
 
     def _sign(self, loci: Loci, lies: Line) -> float:
-        normals = self._normals(loci, lies)
-        return float(np.sign(held(lies, self.c, self.f, normals[1], normals[2]))[0, 0])
-
-    def _crossing(self, row: Reals, lies: Line) -> tuple[int, int]:
-        """Return the two legs of which the lines, or what is square to the guides, cross most squarely."""
-        normals = self._normals(self.loci(row), lies)
-        least = {
-            (a, b): float(np.abs((np.conj(normals[a]) * normals[b]).imag).min())
-            for a, b in combinations(range(3), 2)
-        }
-        return max(least, key=lambda two: round(least[two], 9))
-
-
-def _off(point: Complexes, locus: Arc | Line) -> Reals:
-    return arc_off(point, locus) if isinstance(locus, Arc) else line_off(point, locus)
+        return float(np.sign(self.tracing.held(loci, lies))[0, 0])
 
 
 def _onward(before: Complexes, now: Complexes, share: float) -> Complexes:
@@ -230,14 +178,21 @@ def _apart(found: Iterable[tuple[complex, complex]]) -> list[Line]:
     return kept
 
 
-def branch_of(search: Search, angle: float, near: Near | None, link: int) -> Branch:
-    """Return the place that a scene means, followed; ``angle``: of the plate's line in its own axes, degrees.
+def branch_of(search: Search) -> Branch:
+    """Return the place that a scene means, followed.
 
     Raises
     ------
     StructureError
         If it does not say which of the places, or none is near what it says, or the plate can be laid nowhere.
     """
+    tracing = search.tracing
+    near, angle, link, name = (
+        tracing.link.near,
+        tracing.angle,
+        tracing.link.number,
+        tracing.group.name,
+    )
     at, places = _begun(search, near)
     own = [(math.degrees(float(np.angle(one.along)[0, 0])) - angle) for one in places]
     own = [(one + 180.0) % 360.0 - 180.0 for one in own]
@@ -249,13 +204,13 @@ def branch_of(search: Search, angle: float, near: Near | None, link: int) -> Bra
             said(
                 "group {name}: its three legs cannot reach link {plate} wherever the drive was tried: change "
                 "lengths",
-                name=search.group.name,
+                name=name,
                 plate=link,
             )
             if near is None or near.at is None
             else said(
                 "group {name} cannot be assembled at {at}: give another coordinate of the drive as near_at",
-                name=search.group.name,
+                name=name,
                 at=where,
             ),
             f"link {link}, near",
@@ -271,7 +226,7 @@ def branch_of(search: Search, angle: float, near: Near | None, link: int) -> Bra
             said(
                 "group {name} can be assembled in {count} ways at {letter} = {at}: give link {plate} the "
                 "direction of its own x axis there, near = one of {listed}, and near_at = {at}",
-                name=search.group.name,
+                name=name,
                 count=len(own),
                 letter=search.sweep.letter,
                 at=where,
@@ -295,17 +250,15 @@ def _begun(search: Search, near: Near | None) -> tuple[float, list[Line]]:
     return sweep.low, []
 
 
-def followed_plate(wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
+def followed(wheels: Wheels, tracing: Tracing) -> Branch:
     """Return the place that a scene means of a plate, followed all over what the first drive goes through."""
-    draft, near = wheels.draft, plate.link.near
+    draft = wheels.draft
     log, sweep = draft.board.construction(), wheels.pairs[0].sweep
 
     def loci(row: Reals) -> Loci:
         at = row[None, :]
         given = draft.given | {draft.mu_l: 1.0, wheels.row[0]: at} | standing(wheels, at)
-        reading = execute(log, given, plate.loci)
-        first, second, third = (reading[mark] for mark in plate.loci)
-        return first, second, third
+        reading = execute(log, given, tracing.loci)
+        return [reading[mark] for mark in tracing.loci]
 
-    search = Search(group, PlateSizes(plate.second, plate.third), loci, sweep)
-    return branch_of(search, plate.angle, near, group.plate)
+    return branch_of(Search(tracing, loci, sweep))

@@ -11,7 +11,14 @@ from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import Group, Pair, PlateGroup, class_two, known_groups
+from graphic_tmm.mechanism.groups import (
+    Group,
+    Pair,
+    PlateGroup,
+    SquareGroup,
+    class_two,
+    known_groups,
+)
 from graphic_tmm.mechanism.records import Sweep
 
 
@@ -32,6 +39,10 @@ class Closing(NamedTuple):
         """The letter of Q's image: "b", or "a3" where Q is the point of link 3 over the pivot A."""
         small = self.letter.lower()
         return f"{small}{self.legs[1].link}" if self.group.kind in (3, 5) else small
+
+    def placed(self, coordinates: Reals) -> dict[Mark, object]:
+        """Return what is given of its place at coordinates of the drive: its side is told apart."""
+        return {}
 
     def at(self, leg: ClosingLeg) -> Mark:
         """Return where what a leg holds acts: at its pivot, or at the closing point."""
@@ -57,7 +68,8 @@ class Closing(NamedTuple):
 class Branch(NamedTuple):
     """One place of a plate, followed along its drive: coordinates, and the angles near which it lies there.
 
-    ``leg``, ``plate``: directions of the first leg and of the plate's line, degrees, without leaps. ``sweep``:
+    ``leg``, ``plate``: directions of the first leg (of class IV: of the other plate) and of the plate's line,
+    degrees, without leaps. ``sweep``:
     what the coordinates go through; where ``whole`` is False the plate can be laid between the ends only.
     ``crossing``: the two legs (indices) that cross most squarely all along it.
     """
@@ -99,6 +111,25 @@ class PlateClosing(NamedTuple):
     near: tuple[Mark, Mark]
     branch: Branch
 
+    def placed(self, coordinates: Reals) -> dict[Mark, object]:
+        """Return what is given of its place at coordinates of the drive."""
+        return dict(zip(self.near, self.branch.near(coordinates), strict=True))
+
+    @property
+    def plate(self) -> int:
+        """The plate of which the scene tells where it lies."""
+        return self.group.plate
+
+    @property
+    def special(self) -> str:
+        """The letter of Assur's special point."""
+        return f"W{self.plate}"
+
+    @property
+    def line(self) -> str:
+        """The letters of the plate's line."""
+        return "".join(self.pins[:2])
+
     @property
     def crossing(self) -> tuple[ClosingLeg, ClosingLeg]:
         """The legs in whose crossing Assur's special point is taken."""
@@ -136,9 +167,90 @@ class PlateClosing(NamedTuple):
         """Return the letter of the plate's pin on a leg."""
         return self.pins[self.legs.index(leg)]
 
+    def borne(self, leg: ClosingLeg) -> int:
+        """Return the link on which the inner end of a leg is: the plate."""
+        return self.plate
+
     def image_of(self, leg: ClosingLeg) -> str:
         """Return the letter of the image of the plate's pin on a leg."""
         return self.pin_letter(leg).lower()
+
+
+class SquareClosing(NamedTuple):
+    """What a group of class IV leaves for the other plans: both plates as legs, and the links that join them.
+
+    A leg of a plate goes from its pivot to its pin on the first of the links; these go from the first plate's
+    pins to the second's. ``pins``, ``points``: the inner ends of the legs, then of the links. ``root``: the
+    line of the plate of which the scene tells where it lies, ``plate``; ``near``: what is given of the place.
+    """
+
+    group: SquareGroup
+    plate: int
+    root: Mark
+    legs: tuple[PinLeg, PinLeg]
+    joining: tuple[PinLeg, PinLeg]
+    pins: tuple[str, str, str, str]
+    points: tuple[Mark, Mark, Mark, Mark]
+    near: tuple[Mark, Mark]
+    branch: Branch
+
+    def placed(self, coordinates: Reals) -> dict[Mark, object]:
+        """Return what is given of its place at coordinates of the drive."""
+        return dict(zip(self.near, self.branch.near(coordinates), strict=True))
+
+    @property
+    def special(self) -> str:
+        """The letter of Assur's special point."""
+        return "W{}{}".format(*self.group.plates)
+
+    @property
+    def line(self) -> str:
+        """The letters of the line of the plate whose place is told."""
+        leg = next(one for one in self.legs if one.link == self.plate)
+        return leg.letter + self.pin_letter(leg)
+
+    @property
+    def crossing(self) -> tuple[PinLeg, PinLeg]:
+        """The links in whose crossing Assur's special point is taken."""
+        return self.joining
+
+    @property
+    def letter(self) -> str:
+        """The letter of the second plate's pin on the first link, by which its plans are closed."""
+        return self.pins[1]
+
+    @property
+    def point(self) -> Mark:
+        """The second plate's pin on the first link."""
+        return self.points[1]
+
+    def at(self, leg: ClosingLeg) -> Mark:
+        """Return where what a leg holds acts: at its pivot."""
+        return _at(leg, self.pin(leg))
+
+    def pin(self, leg: ClosingLeg) -> Mark:
+        """Return the inner end of a leg, or of a link that joins the plates."""
+        return self.points[self._place(leg)]
+
+    def slid(self, leg: ClosingLeg) -> Mark:
+        """Return the point of a sliding leg's link that keeps to the guide as drawn: none slides."""
+        return self.pin(leg)
+
+    def pin_letter(self, leg: ClosingLeg) -> str:
+        """Return the letter of the inner end of a leg, or of a link that joins the plates."""
+        return self.pins[self._place(leg)]
+
+    def borne(self, leg: ClosingLeg) -> int:
+        """Return the plate on which the inner end is of a leg, or of a link that joins the plates."""
+        plates = self.group.plates
+        return leg.link if leg.link in plates else plates[1]
+
+    def image_of(self, leg: ClosingLeg) -> str:
+        """Return the letter of the image of the inner end of a leg, or of a link that joins the plates."""
+        return self.pin_letter(leg).lower()
+
+    def _place(self, leg: ClosingLeg) -> int:
+        return [one.link for one in (*self.legs, *self.joining)].index(leg.link)
 
 
 def _at(leg: ClosingLeg, pin: Mark) -> Mark:
@@ -190,7 +302,7 @@ class GuideLeg(NamedTuple):
 
 ClosingLeg = PinLeg | GuideLeg
 """How a link of a group is held by what is there already."""
-AnyClosing = Closing | PlateClosing
+AnyClosing = Closing | PlateClosing | SquareClosing
 """What a group of any class leaves."""
 
 

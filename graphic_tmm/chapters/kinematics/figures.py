@@ -11,7 +11,6 @@ from graphic_tmm.chapters.kinematics.closings import (
     AnyClosing,
     GuideLeg,
     PinLeg,
-    PlateClosing,
     legs_of,
     pair_of,
 )
@@ -55,8 +54,8 @@ def tell_group(
         tell_link(draft, mechanism, bodies[leg.link])
         if isinstance(leg, PinLeg) and leg.rod:
             tell_link(draft, mechanism, bodies[leg.rod])
-    if isinstance(closing, PlateClosing):
-        tell_link(draft, mechanism, bodies[closing.group.plate])
+    for number in closing.group.rest:
+        tell_link(draft, mechanism, bodies[number])
     for leg in closing.legs:
         if isinstance(leg, PinLeg):
             if leg.rod:

@@ -41,6 +41,26 @@ def normal_at(omega: Number, apart: Length, mu_l: Number, mu_a: Number) -> Lengt
     """{omega}²·{apart}·{mu_l}/{mu_a}"""
 
 
+@formula(
+    why=said(
+        "As a point of either plate the special point has along a link that joins them what the link's pin "
+        "there has, and the plate's own ω²·l; between both pins there is that of the link. So both differ by "
+        "this, on the plan divided by {mu_a}."
+    )
+)
+def apart_along(
+    omega: Number,
+    apart: Length,
+    joining: Number,
+    length: Length,
+    other: Number,
+    beyond: Length,
+    mu_l: Number,
+    mu_a: Number,
+) -> Length:
+    """({omega}²·{apart} − {joining}²·{length} − {other}²·{beyond})·{mu_l}/{mu_a}"""
+
+
 _SHARES = said(
     "The pitch circles touch where the distance of the centres is divided as the teeth (the radii) are."
 )

@@ -6,7 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.closings import PlateClosing
+from graphic_tmm.chapters.kinematics.closings import (
+    Closing,
+    ClosingLeg,
+    PinLeg,
+    PlateClosing,
+    SquareClosing,
+)
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.special_point import SpecialPoint, drawn_point
@@ -31,9 +37,9 @@ def draw_special_points(
     strokes: list[Ink] = [*ink.guides(), *ink.heavy(index)]
     letters = ink.letters((ink.frame.name, *ink.names), index, on.heights.point)
     for closing in positions.closings:
-        if not isinstance(closing, PlateClosing):
+        if isinstance(closing, Closing):
             continue
-        special = drawn_point(on.construction, closing.group.plate)
+        special = drawn_point(on.construction, closing)
         at = ink.at(special.point, index)
         strokes += _lines(ink, closing, special, index)
         strokes.append(circle("thin", at, POINT)._replace(of=(special.point.slot,)))
@@ -43,22 +49,21 @@ def draw_special_points(
 
 
 def _lines(
-    ink: PositionsInk, closing: PlateClosing, special: SpecialPoint, index: int
+    ink: PositionsInk, closing: PlateClosing | SquareClosing, special: SpecialPoint, index: int
 ) -> Iterator[Stroke]:
-    """Yield the lines of the legs that cross, from their pins on, and that to the plate's third pin."""
+    """Yield the lines that cross, from their pins on, and those that join the point to others of its plates."""
     at = ink.at(special.point, index)
     for leg, of in zip(closing.crossing, special.lines, strict=True):
-        ends = [ink.at(mark, index) for mark in _ends(closing, leg, of)]
+        ends = [ink.at(mark, index) for mark in _ends(closing, leg)]
         far = max(ends, key=lambda z: abs(z - at))
         way = (at - far) / (abs(at - far) or 1.0)
         yield line("thin", far, at + BEYOND * way)._replace(of=(of.slot,))
-    third = ink.at(closing.point, index)
-    yield line("dashed", at, third)._replace(of=(special.leg.line.slot,))
+    for held in special.legs:
+        other = closing.point if held.pivot == special.point else held.pivot
+        yield line("dashed", at, ink.at(other, index))._replace(of=(held.line.slot,))
 
 
-def _ends(closing: PlateClosing, leg: object, of: Mark) -> Sequence[Mark]:
+def _ends(closing: PlateClosing | SquareClosing, leg: ClosingLeg) -> Sequence[Mark]:
     """Return the marks of a leg's line: its pivot and pin, or the pin that slides."""
-    k = closing.legs.index(leg)
-    held = closing.legs[k]
-    pivot = getattr(held, "pivot", None)
-    return [closing.points[k]] if pivot is None else [pivot, closing.points[k]]
+    pin = closing.pin(leg)
+    return [leg.pivot, pin] if isinstance(leg, PinLeg) else [pin]

@@ -5,10 +5,8 @@ from __future__ import annotations
 import cmath
 import math
 from collections.abc import Callable, Mapping
-from typing import NamedTuple
 
 from graphic_tmm.board.operations.tracing import prick, trace, trace_on_guide, trace_on_guides
-from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Arc
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import (
@@ -24,6 +22,7 @@ from graphic_tmm.chapters.kinematics.closings import (
     PlateClosing,
 )
 from graphic_tmm.chapters.kinematics.dyads import Ground
+from graphic_tmm.chapters.kinematics.tracings import PlateTracing, Tracing
 from graphic_tmm.mechanism.groups import PlateGroup
 from graphic_tmm.mechanism.records import Link
 
@@ -31,21 +30,7 @@ TRACINGS = (trace, trace_on_guide, trace_on_guides)
 """How a plate is laid, by how many of its legs slide along guides."""
 
 
-class Plate(NamedTuple):
-    """A plate before it is laid: the loci of its pins, and where these are from the first, m.
-
-    ``second``: along its line; ``third``: along and to the left of that.
-    """
-
-    group: PlateGroup
-    link: Link
-    loci: tuple[Mark, Mark, Mark]
-    second: float
-    third: complex
-    angle: float
-
-
-Followed = Callable[[Plate], Branch]
+Followed = Callable[[Tracing], Branch]
 """Which of its places a plate keeps at coordinates of the drive."""
 
 
@@ -66,8 +51,7 @@ def close_plate(
     axis = Body(link, own[0], math.degrees(cmath.phase(along)), lambda: root)
     apart, _ = off_axis(axis, own[1])
     x, y = off_axis(axis, own[2])
-    plate = Plate(group, link, (loci[0], loci[1], loci[2]), apart, complex(x, y), axis.angle)
-    branch = follow(plate)
+    branch = follow(PlateTracing(group, link, tuple(loci), axis.angle, apart, complex(x, y)))
     first, line = f"{group.legs[0].pair.name}{pins[0]}", "".join(pins[:2])
     near = draft.take(Angle, f"≈{first}", 0.0, "°"), draft.take(Angle, f"≈{line}", 0.0, "°")
     lengths = (

@@ -25,15 +25,17 @@ from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.dyads import Ground, Site, close
 from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
 from graphic_tmm.chapters.kinematics.passive import draw_passive
-from graphic_tmm.chapters.kinematics.plates import Plate, close_plate
+from graphic_tmm.chapters.kinematics.plates import close_plate
+from graphic_tmm.chapters.kinematics.squares import close_square
+from graphic_tmm.chapters.kinematics.tracings import Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Wound
 from graphic_tmm.mechanism import records
-from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, untreated
+from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, SquareGroup, untreated
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.mechanism.wheels import Rolling
 
 VIEW = "positions"
-Branches = Callable[[Wheels, PlateGroup, Plate], Branch]
+Branches = Callable[[Wheels, Tracing], Branch]
 """Which of its places a plate keeps, from what is drawn before it."""
 
 
@@ -103,11 +105,15 @@ def draw_positions(
         rods = tuple(mechanism.by_number[rod] for rod in group.rods)
         side: Mark | None = None
         closing: AnyClosing
-        if isinstance(group, PlateGroup):
+        if not isinstance(group, Group):
             ground = Ground(draft, bodies, letters, lengths, rods)
             assert branches is not None
-            follow = partial(branches, wheels, group)
-            closing = close_plate(ground, group, mechanism.by_number, follow)
+            follow = partial(branches, wheels)
+            match group:
+                case PlateGroup():
+                    closing = close_plate(ground, group, mechanism.by_number, follow)
+                case SquareGroup():
+                    closing = close_square(ground, group, mechanism.by_number, follow)
         else:
             sides |= _take_side(draft, mechanism, group)
             first, second = (mechanism.by_number[leg.link] for leg in group.legs)
@@ -115,7 +121,7 @@ def draw_positions(
             links = first, second
             closing = close(Site(draft, bodies, letters, lengths, rods, group, links, side))
         closings.append(closing)
-        for number in (*(leg.link for leg in group.legs), *group.rods):
+        for number in (*(leg.link for leg in group.legs), *group.rods, *group.rest):
             body = bodies[number]
             draw_points(draft, body, anchor(body))
         tell_group(draft, mechanism, bodies, closing, side)
@@ -126,7 +132,7 @@ def draw_positions(
 
 def side_record(mechanism: records.Mechanism, group: AssurGroup) -> records.Side | None:
     """Return the side a scene gives to a group of kinds 1–3, for legs in the group's order; None if absent."""
-    if isinstance(group, PlateGroup):
+    if not isinstance(group, Group):
         return None
     pair = _sliding(group)
     if group.kind == 1:

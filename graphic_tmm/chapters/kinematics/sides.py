@@ -9,7 +9,6 @@ import numpy as np
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.closings import PlateClosing
 from graphic_tmm.chapters.kinematics.positions import side_record
 from graphic_tmm.mechanism.records import Drive, Mechanism, Side
 
@@ -37,9 +36,7 @@ def standing(plans: Plans, angles: Reals, *, carried: bool = False) -> dict[Mark
     """
     given: dict[Mark, object] = {}
     for closing in plans.positions.closings:
-        if isinstance(closing, PlateClosing):
-            given |= dict(zip(closing.near, closing.branch.near(angles), strict=True))
-            continue
+        given |= closing.placed(angles)
         side = side_record(plans.mechanism, closing.group)
         if side is not None and side.flips_at:
             drive = plans.mechanism.drive

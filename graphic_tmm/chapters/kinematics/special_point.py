@@ -27,7 +27,7 @@ from graphic_tmm.chapters.kinematics.acceleration_lines import (
     tangential_line,
 )
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.closings import ClosingLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.closings import ClosingLeg, PinLeg, PlateClosing, SquareClosing
 from graphic_tmm.chapters.kinematics.formulas import normal_at
 from graphic_tmm.chapters.kinematics.motion import (
     Base,
@@ -44,42 +44,61 @@ from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_li
 
 
 class SpecialPoint(NamedTuple):
-    """Assur's special point of a plate: the lines that cross there, the leg from it to the third pin."""
+    """Assur's special point: the lines that cross there; as links the plates that have it.
+
+    Of a plate on three legs the ``legs`` are that from the point to the third pin; of two plates that links
+    join, those from the pivots to the point.
+    """
 
     point: Mark
     lines: tuple[Mark, Mark]
-    leg: PinLeg
+    legs: tuple[PinLeg, ...]
+
+    @property
+    def leg(self) -> PinLeg:
+        """The first of these legs."""
+        return self.legs[0]
 
 
-def special_point(draft: Draft, closing: PlateClosing) -> SpecialPoint:
-    """Draw the special point of a plate; once on a board."""
-    view, plate = draft.view, closing.group.plate
+def special_point(draft: Draft, closing: PlateClosing | SquareClosing) -> SpecialPoint:
+    """Draw the special point of a group; once on a board."""
+    view = draft.view
     draft.open(SPECIAL_POINTS)
-    name, log = f"W{plate}", draft.board.construction()
+    name, log = closing.special, draft.board.construction()
     if log.view(SPECIAL_POINTS) is None:
         draft.lay_out(closing.point, draft.mu_l)
     if not log.roles(SPECIAL_POINTS, name):
         lines = [_line(draft, closing, leg) for leg in closing.crossing]
         point = draft.draw(meet, name, *lines, role=name, why=why.SPECIAL_POINT)
-        third = f"{name}{closing.letter}"
-        draft.draw(join, f"({third})", point, closing.point, role=name, why=why.OF_THE_PLATE)
-        draft.draw(measure, third, point, closing.point, role=name, why=why.OF_THE_PLATE)
+        ends = [(name, point, closing.letter, closing.point)]
+        if isinstance(closing, SquareClosing):
+            ends = [(leg.letter, leg.pivot, name, point) for leg in closing.legs]
+        for letter, start, other, end in ends:
+            letters = f"{letter}{other}"
+            draft.draw(join, f"({letters})", start, end, role=name, why=why.OF_THE_PLATE)
+            draft.draw(measure, letters, start, end, role=name, why=why.OF_THE_PLATE)
         log = draft.board.construction()
     draft.open(view)
-    return drawn_point(log, plate)
+    return drawn_point(log, closing)
 
 
-def drawn_point(log: Construction, plate: int) -> SpecialPoint:
-    """Return the special point of a plate from the log."""
-    name = f"W{plate}"
-    point, line, length = log.roles(SPECIAL_POINTS, name)
+def drawn_point(log: Construction, closing: PlateClosing | SquareClosing) -> SpecialPoint:
+    """Return the special point of a group from the log."""
+    name = closing.special
+    point, *drawn = log.roles(SPECIAL_POINTS, name)
     step = log.step(point)
     assert step is not None
     first, second = step.uses
-    return SpecialPoint(point, (first, second), PinLeg(plate, plate, name, point, line, length))
+    if isinstance(closing, SquareClosing):
+        legs: tuple[PinLeg, ...] = closing.legs
+    else:
+        legs = (PinLeg(closing.plate, closing.plate, name, point, drawn[0], drawn[1]),)
+    longer = zip(legs, drawn[::2], drawn[1::2], strict=True)
+    found = tuple(leg._replace(line=line, length=length) for leg, line, length in longer)
+    return SpecialPoint(point, (first, second), found)
 
 
-def _line(draft: Draft, closing: PlateClosing, leg: ClosingLeg) -> Mark:
+def _line(draft: Draft, closing: PlateClosing | SquareClosing, leg: ClosingLeg) -> Mark:
     """Return the line of a leg, on which the special point lies: its own, or square to its guide."""
     if isinstance(leg, PinLeg):
         return leg.line

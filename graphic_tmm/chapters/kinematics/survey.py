@@ -14,7 +14,7 @@ from graphic_tmm.board.operations.instruments import measure_along, ray
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.branches import followed_plate
+from graphic_tmm.chapters.kinematics.branches import followed
 from graphic_tmm.chapters.kinematics.closings import (
     AnyClosing,
     Branch,
@@ -22,13 +22,13 @@ from graphic_tmm.chapters.kinematics.closings import (
     ClosingLeg,
     GuideLeg,
     PinLeg,
+    SquareClosing,
     groups_of,
     unheld,
 )
 from graphic_tmm.chapters.kinematics.drives import driven, follow
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion
-from graphic_tmm.chapters.kinematics.plates import Plate
 from graphic_tmm.chapters.kinematics.positions import (
     draw_frame,
     draw_positions,
@@ -36,12 +36,13 @@ from graphic_tmm.chapters.kinematics.positions import (
 )
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.special_point import drawn_point
+from graphic_tmm.chapters.kinematics.tracings import Tracing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Winding
 from graphic_tmm.chapters.kinematics.winding import STEPS, winding
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import PlateGroup, of_two_links
+from graphic_tmm.mechanism.groups import of_two_links
 from graphic_tmm.mechanism.records import TURN, Mechanism, Sweep
 from graphic_tmm.mechanism.structure import Structure
 
@@ -91,9 +92,9 @@ class Survey:
         """Return how the angle of a link goes on, as it was found out."""
         return self.windings[number]
 
-    def branch(self, wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
+    def branch(self, wheels: Wheels, tracing: Tracing) -> Branch:
         """Return which of its places a plate keeps, as it was found out."""
-        return self.branches[group.name]
+        return self.branches[tracing.group.name]
 
     @cached_property
     def rolls_on(self) -> bool:
@@ -151,9 +152,10 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
 
     branches: dict[str, Branch] = {}
 
-    def branch(wheels: Wheels, group: PlateGroup, plate: Plate) -> Branch:
-        branches[group.name] = followed_plate(wheels, group, plate)
-        return branches[group.name]
+    def branch(wheels: Wheels, tracing: Tracing) -> Branch:
+        name = tracing.group.name
+        branches[name] = followed(wheels, tracing)
+        return branches[name]
 
     positions = draw_positions(draft, mechanism, structure, frame, row, wound, branch)
     velocities = draw_velocities(draft, mechanism, structure, positions, turned=False)
@@ -322,8 +324,10 @@ def _crossings(tried: Survey, closing: AnyClosing) -> list[tuple[ClosingLeg, Clo
     """Return the legs, two by two, whose lines of velocities meet; of a plate by its special point, too."""
     if isinstance(closing, Closing):
         return [closing.legs]
-    plate = drawn_point(tried.construction, closing.group.plate)
-    return [closing.crossing, (plate.leg, closing.third)]
+    special = drawn_point(tried.construction, closing)
+    if isinstance(closing, SquareClosing):
+        return [closing.crossing, (special.legs[0], special.legs[1])]
+    return [closing.crossing, (special.leg, closing.third)]
 
 
 def _sine(reading: Reading, one: ClosingLeg, other: ClosingLeg) -> Reals:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.chapters.kinematics.closings import PlateClosing
+from graphic_tmm.chapters.kinematics.closings import Closing
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.given import (
     coordinates,
@@ -95,12 +95,12 @@ def _laid(scene: Scene, language: str) -> Iterator[str]:
     pose = posed(scene)
     at = pose.project.coordinates[0]
     for closing in pose.plans.positions.closings:
-        if isinstance(closing, PlateClosing) and at is not None:
+        if not isinstance(closing, Closing) and at is not None:
             _, plate = closing.branch.near(np.array(at))
             yield speaking(language)(
                 _PLACE,
-                link=closing.group.plate,
-                line="".join(closing.pins[:2]),
+                link=closing.plate,
+                line=closing.line,
                 at=_equal(coordinates(scene, [at]), language).replace(" ", "\u00a0"),
                 angle=f"{round(float(plate)) % 360}°",
             )

@@ -17,6 +17,7 @@ from graphic_tmm.chapters.kinematics.closings import (
     Closing,
     PinLeg,
     PlateClosing,
+    SquareClosing,
 )
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
@@ -32,6 +33,7 @@ from graphic_tmm.chapters.kinematics.motion import (
     pivot_image,
 )
 from graphic_tmm.chapters.kinematics.special_point import plate_velocities
+from graphic_tmm.chapters.kinematics.special_square import square_velocities
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read_leg, stands
 from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.mechanism.records import Mechanism
@@ -67,6 +69,8 @@ def draw_velocities(
             _wheel(draft, positions, plan, turn, one)
         elif isinstance(one, PlateClosing):
             plate_velocities(draft, positions, plan, turn, one)
+        elif isinstance(one, SquareClosing):
+            square_velocities(draft, positions, plan, turn, one)
         else:
             _group(draft, positions, plan, turn, one)
     hang_passive(positions, plan)

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from graphic_tmm.chapters.kinematics.along import with_guides
-from graphic_tmm.chapters.kinematics.closings import PlateClosing
 from graphic_tmm.chapters.kinematics.dead_places import dead_places
 from graphic_tmm.chapters.kinematics.ink_by_drive import draw_sums_ink
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
@@ -92,7 +91,7 @@ def _together(drawn: Drawn, made: KinematicPlans) -> list[str]:
 def special_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return the special points of plates in the main position."""
     made, words = KINEMATICS_PLAN.on(drawn), captions(drawn.scene.language)
-    plates = any(isinstance(one, PlateClosing) for one in made.positions.closings)
+    plates = any(one.group.plates for one in made.positions.closings)
     if not plates or made.velocities is None:
         return []
     position = f"{words['position']} {drawn.names[drawn.main]}"

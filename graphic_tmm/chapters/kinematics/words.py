@@ -111,6 +111,21 @@ SPECIAL_POINT = said(
     "As a point of the plate, the point where the lines of two legs cross moves square to both of them: only "
     "there is the direction of its relative velocity the same about both ends of a leg (Assur's special point)."
 )
+EQUALLY_FAST = said(
+    "Where the lines of both links cross both plates are equally fast: a link whose pins had these velocities "
+    "would neither grow nor shrink. So the point turns about the pivots of both plates, and its image lies on "
+    "both lines."
+)
+ALONG_THE_LINK = said(
+    "Along the link the accelerations of the special point as a point of both plates differ by this."
+)
+REST_ACROSS = said("What they differ by besides is square to that.")
+BOTH_PARTS = said(
+    "The difference is known along both links, so it ends where the squares to both parts meet."
+)
+SAME_TANGENTIAL = said(
+    "The first plate has the same tangential part as was read, from the end of its own normal one."
+)
 GUIDE_NORMAL = said(
     "What slides along a guide turns about no point of it; the special point lies on the normal to the guide."
 )

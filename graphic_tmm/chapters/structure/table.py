@@ -8,7 +8,7 @@ from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
 from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup
+from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, SquareGroup
 from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import Structure, freedoms
@@ -134,6 +134,7 @@ WORDS = Tongues(
         "group": said("Group {name}: class II, order 2, kind {kind}"),
         "class of group": said("Group {name}, class II"),
         "class of plate": said("Group {name}, class III"),
+        "class of square": said("Group {name}, class IV"),
         "wheel": said("Group {name}: one link, a lower and a higher pair"),
         "class of wheel": said("Wheel {name} with its higher pair"),
         "belted wheel": said(
@@ -144,6 +145,8 @@ WORDS = Tongues(
         "class of link": said("Driving link {name}, class I"),
         "class of rod": said("Rod in its cylinder {name}, class I"),
         "plate": said("Group {name}: class III, order 3, the closed figure is link {plate}"),
+        "square": said("Group {name}: class IV, order 2, a closed figure of four links"),
+        "class IV": said("The mechanism is of class IV: that of its highest group"),
         "class III": said("The mechanism is of class III: that of its highest group"),
         "class II": said("The mechanism is of class II: that of its highest group"),
         "class I": said("The mechanism is of class I: it has no groups"),
@@ -265,15 +268,20 @@ def _group(one: AssurGroup | Rolling, words: Mapping[str, str]) -> str:
             return words["group"].format(name=one.name, kind=one.kind)
         case PlateGroup():
             return words["plate"].format(name=one.name, plate=one.plate)
+        case SquareGroup():
+            return words["square"].format(name=one.name)
         case _:
             return words["belted wheel" if one.mesh.belted else "wheel"].format(name=one.name)
 
 
+CLASSES = "I", "II", "III", "IV"
+"""The classes of groups, the highest last; that of a driving link is the first."""
+
+
 def class_of(structure: Structure) -> str:
     """Return the class of a mechanism: the highest one of its groups."""
-    if any(isinstance(one, PlateGroup) for one in structure.groups):
-        return "class III"
-    return "class II" if structure.groups else "class I"
+    found = (one.formula.partition("(")[0] for one in structure.groups)
+    return f"class {max(found, key=CLASSES.index, default=CLASSES[0])}"
 
 
 def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -> tuple[str, ...]:

@@ -25,7 +25,6 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import number
-from graphic_tmm.mechanism.groups import PlateGroup
 from graphic_tmm.mechanism.structure import dissect, freedoms
 from graphic_tmm.paper.drawing import Drawing, Ink, line
 from graphic_tmm.paper.figure import body
@@ -108,7 +107,7 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         links = [int(one) for one in name.split("-")]
         kind = "rod" if name in rods else "link"
         if name in groups:
-            kind = "plate" if isinstance(groups[name], PlateGroup) else "group"
+            kind = ("group", "plate", "square")[len(groups[name].plates)]
         kind = ("wheel", "belted wheel")[rolling[name]] if name in rolling else kind
         told = words[f"class of {kind}"].format(name=name)
         on = subject(drawn, told, PARTS, name=f"part-{name}")

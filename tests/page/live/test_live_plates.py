@@ -12,11 +12,12 @@ from support.plates import machine
 
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.record import Mark
-from graphic_tmm.chapters.kinematics.branches import PlateSizes, Search
+from graphic_tmm.chapters.kinematics.branches import Search
 from graphic_tmm.chapters.kinematics.closings import PlateClosing
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.survey import Survey
+from graphic_tmm.chapters.kinematics.tracings import PlateTracing
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
 
@@ -53,7 +54,9 @@ def turn(made: Survey, changed: dict[Mark, object]) -> Turn:
 
     read_off = execute(log, given | row, sizes)
     apart, x, y = (float(np.ravel(read_off[mark])[0]) for mark in sizes)
-    search = Search(closing.group, PlateSizes(apart, complex(x, y)), at, closing.branch.sweep)  # type: ignore[arg-type]
+    plate = made.mechanism.by_number[closing.plate]
+    tracing = PlateTracing(closing.group, plate, tuple(loci), 0.0, apart, complex(x, y))
+    search = Search(tracing, at, closing.branch.sweep)  # type: ignore[arg-type]
     middle = closing.branch.at.size // 2
     begun = float(closing.branch.at[middle])
     leg, plate = (
