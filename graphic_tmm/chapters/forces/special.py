@@ -74,7 +74,8 @@ def solve_third(
     ``turning``: the moments that guides hold, by link; ``tangents``: components that are known, by link.
     """
     draft = figure.draft
-    point, lines = _crossing(figure, closing, slopes, tangents)
+    because = why.SPECIAL_POINT_OF_FORCES
+    point, lines = _crossing(figure, closing, slopes, tangents, because)
     forces = tuple(
         _across(figure, leg, tangents[leg.link])
         for leg in closing.legs
@@ -107,7 +108,7 @@ def hinge_plates(
     What holds the links across is known, by link: the first plate bears it, the second one with the links.
     """
     draft, (first, second) = figure.draft, closing.legs
-    point, lines = _crossing(figure, closing, slopes, tangents)
+    point, lines = _crossing(figure, closing, slopes, tangents, why.POINT_OF_PLATES)
     across = [
         _across(figure, one, tangents[one.link]) for one in closing.joining if one.link in tangents
     ]
@@ -140,10 +141,10 @@ def _crossing(
     closing: PlateClosing | SquareClosing,
     slopes: Slopes,
     tangents: Mapping[int, Tangent],
+    because: str,
 ) -> tuple[Mark, tuple[Mark, Mark]]:
     """Return the special point in a figure, and the lines that cross there."""
     first, second = (_line(figure, closing, leg, slopes, tangents) for leg in closing.crossing)
-    because = why.SPECIAL_POINT_OF_FORCES
     point = figure.once(
         ("special", first, second),
         lambda: figure.draft.draw(meet, closing.special, first, second, free=True, why=because),
