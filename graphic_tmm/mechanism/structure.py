@@ -6,6 +6,7 @@ W = 3n − 2p5 − p4 (Chebyshev). A letter on k links makes k − 1 turning pai
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from itertools import combinations
 from typing import Any, NamedTuple
 
@@ -13,8 +14,8 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.attachment import Attachment
 from graphic_tmm.mechanism.driven import Driven, driven_pairs
-from graphic_tmm.mechanism.groups import AssurGroup, Pair, known_groups
-from graphic_tmm.mechanism.records import Link, Mechanism
+from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, known_groups
+from graphic_tmm.mechanism.records import Drive, Link, Mechanism
 from graphic_tmm.mechanism.wheels import Rolling, bearers, in_order, meshing, rolling
 
 
@@ -41,6 +42,11 @@ class Structure(NamedTuple):
     def mobility(self) -> int:
         """W = 3n − 2p5 − p4."""
         return 3 * self.moving - 2 * len(self.pairs) - len(self.wheels)
+
+    @property
+    def of_class_two(self) -> bool:
+        """Whether all its groups are of two links."""
+        return all(isinstance(one, Group) for one in self.groups)
 
     @property
     def attached(self) -> Iterator[AssurGroup | Rolling]:
@@ -93,12 +99,39 @@ def dissect(mechanism: Mechanism) -> Structure:
         If a link is tied to nothing, W is not the number of drives, a drive drives no pair, or what remains
         is a group of a class above II; the message names the links.
     """
-    driven = driven_pairs(mechanism)
     pairs = _pairs(mechanism)
+    driven = driven_pairs(mechanism)
     _refuse_loose_and_double(mechanism, pairs)
     mobility = count(mechanism).mobility
     if mobility != len(driven):
         raise _unequal(mechanism, pairs, mobility)
+    structure, left = _grown(mechanism, driven, pairs)
+    if left:
+        raise _left_over(mechanism, left)
+    return structure
+
+
+def driven_otherwise(mechanism: Mechanism) -> Structure | None:
+    """Return the structure by another driving link if that makes a mechanism of one drive of class II."""
+    if len(mechanism.drives) > 1 or mechanism.meshes:
+        return None
+    for link in mechanism.links:
+        if link.number != mechanism.drive.link:
+            slides = any(one.on == mechanism.frame.number for one in link.slides)
+            try:
+                other = replace(mechanism, drive=Drive(link.number, 1.0, slides=slides))
+                structure, left = _grown(other, driven_pairs(other), _pairs(other))
+            except StructureError:
+                continue
+            if not left and structure.of_class_two:
+                return structure
+    return None
+
+
+def _grown(
+    mechanism: Mechanism, driven: tuple[Driven, ...], pairs: tuple[Pair, ...]
+) -> tuple[Structure, list[int]]:
+    """Return the structure as far as groups can be attached, and the links that are left then."""
     groups: list[AssurGroup] = []
     known = [mechanism.frame.number, *(one.link for one in driven if not one.telescopes)]
     attachment = Attachment(mechanism, known, [one for one in driven if one.telescopes])
@@ -111,18 +144,16 @@ def dissect(mechanism: Mechanism) -> Structure:
             continue
         group = attachment.next()
         if group is None:
-            raise _left_over(mechanism, sorted(attachment.left))
+            break
         groups.append(group)
         known += attachment.attach(group)
     order = {number: place for place, number in enumerate(known)}
-    return Structure(
-        len(mechanism.links),
-        _in_order(pairs, order, mechanism),
-        driven,
-        tuple(groups),
-        _origin(mechanism, driven[0]),
-        tuple(wheels),
+    ordered = () if attachment.left else _in_order(pairs, order, mechanism)
+    origin = _origin(mechanism, driven[0])
+    structure = Structure(
+        len(mechanism.links), ordered, driven, tuple(groups), origin, tuple(wheels)
     )
+    return structure, sorted(attachment.left)
 
 
 def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
@@ -144,6 +175,18 @@ def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
                 ),
                 *keys,
             )
+    other = driven_otherwise(mechanism)
+    if other is not None:
+        return StructureError(
+            said(
+                "links {names} make a group of a class that this board does not draw; driven by link {link} "
+                "the mechanism is of class II, {formula}: write [drive] link = {link}",
+                names=names,
+                link=other.first.link,
+                formula=other.formula,
+            ),
+            "drive.link",
+        )
     return StructureError(
         said(
             "links {names} make a group of a class above IV or of a higher order, or are tied to each other "

@@ -18,7 +18,7 @@ from support.mechanisms import KINDS, Sampled, mechanisms, sample
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.groups import PlateGroup, SquareGroup
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
-from graphic_tmm.mechanism.structure import Structure, dissect
+from graphic_tmm.mechanism.structure import Structure, dissect, driven_otherwise
 from graphic_tmm.scene.read import read
 
 pytestmark = pytest.mark.every
@@ -408,3 +408,39 @@ def test_groups_come_in_the_order_that_trying_all_links_gives(seed: int) -> None
         links = rng.sample(one.links, len(one.links))
         shuffled = Mechanism(one.frame, tuple(links), one.drive)
         assert [set(group.links) for group in dissect(shuffled).groups] == by_trying(one)
+
+
+def by_another(made: Mechanism) -> list[str]:
+    """Return the formulas of class II alone, each by another driving link, in the order of the links."""
+    found = []
+    for one in made.links[1:]:
+        try:
+            formula = dissect(mechanism(*made.links, frame=made.frame, drive=one.number)).formula
+        except StructureError:
+            continue
+        if not re.search("III|IV", formula):
+            found.append(formula)
+    return found
+
+
+def test_another_driving_link_makes_a_plate_on_three_legs_of_class_two() -> None:
+    frame = Link(0, {"O": 0j, "D": 4 + 0j, "E": 5 + 0j})
+    links = link(1, "OA"), link(2, "AB"), link(3, "BCF"), link(4, "CD"), link(5, "FE")
+    made = mechanism(*links, frame=frame)
+    assert dissect(made).formula == "I(1) → III(2-3-4-5)"
+    other = driven_otherwise(made)
+    assert other is not None
+    assert other.formula == by_another(made)[0] == "I(4) → II(3-5) → II(1-2)"
+    # what is of class II as it is driven, is of class II all the more
+    assert dissect(mechanism(*FOUR_BAR)).of_class_two
+
+
+def test_a_group_that_is_not_drawn_is_refused_with_the_driving_link_by_which_it_is() -> None:
+    frame = Link(0, {"O": 0j, "D": 4 + 0j, "E": 5 + 0j, "G": 6 + 0j})
+    plates = link(2, "AB"), link(3, "BCJ"), link(4, "CD"), link(5, "JFH")
+    made = mechanism(link(1, "OA"), *plates, link(6, "FE"), link(7, "HG"), frame=frame)
+    formula = by_another(made)[0]
+    with pytest.raises(StructureError, match=re.escape(formula)) as refused:
+        dissect(made)
+    assert "write [drive] link = 6" in str(refused.value)
+    assert dissect(mechanism(*made.links, frame=frame, drive=6)).formula == formula

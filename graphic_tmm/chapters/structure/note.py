@@ -14,6 +14,7 @@ from graphic_tmm.chapters.structure.table import (
     aside_lines,
     class_of,
     link_rows,
+    other_drive,
     pair_rows,
 )
 from graphic_tmm.chapters.structure.views import part_views
@@ -101,6 +102,8 @@ class StructurePage(Page[Structure]):
             yield paragraph(f"{plain(line)}.")
         yield paragraph(f"{words['formula']}: {structure.formula}.")
         yield paragraph(f"{words[class_of(structure)]}.")
+        for line in other_drive(mechanism, structure, language):
+            yield paragraph(f"{plain(line)}.")
         if found is not None and found.replaced:
             shown = side_by_side(self.figures(*self.pictures))
             yield referred(shown, self.language, REPLACED)

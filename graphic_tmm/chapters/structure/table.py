@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
@@ -11,7 +11,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, SquareGroup
 from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.structure import Structure, freedoms
+from graphic_tmm.mechanism.structure import Structure, driven_otherwise, freedoms
 from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
@@ -147,6 +147,9 @@ WORDS = Tongues(
         "plate": said("Group {name}: class III, order 3, the closed figure is link {plate}"),
         "square": said("Group {name}: class IV, order 2, a closed figure of four links"),
         "class IV": said("The mechanism is of class IV: that of its highest group"),
+        "other drive": said(
+            "With link {link} as the driving one the mechanism is of class II: {formula}"
+        ),
         "class III": said("The mechanism is of class III: that of its highest group"),
         "class II": said("The mechanism is of class II: that of its highest group"),
         "class I": said("The mechanism is of class I: it has no groups"),
@@ -293,7 +296,23 @@ def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -
     mobility = f"n = {n}, p_5 = {p}, p_4 = {p4}, {w}"
     highest = words[class_of(structure)]
     beside = aside_lines(mechanism, structure, language)
-    return (mobility, *beside, f"{words['formula']}: {structure.formula}", *groups, highest)
+    formula = f"{words['formula']}: {structure.formula}"
+    return (
+        mobility,
+        *beside,
+        formula,
+        *groups,
+        highest,
+        *other_drive(mechanism, structure, language),
+    )
+
+
+def other_drive(mechanism: Mechanism, structure: Structure, language: str) -> Iterator[str]:
+    """Yield which driving link makes a mechanism of class II that is of a higher one, and its formula then."""
+    other = None if structure.of_class_two else driven_otherwise(mechanism)
+    if other is not None:
+        words = WORDS[language]["other drive"]
+        yield words.format(link=other.first.link, formula=other.formula)
 
 
 PROTOCOL = Protocols(views=lambda project: {STRUCTURE: (STRUCTURE,)})
