@@ -202,8 +202,8 @@ def branch_of(search: Search) -> Branch:
     if not places:
         raise StructureError(
             said(
-                "group {name}: its three legs cannot reach link {plate} wherever the drive was tried: change "
-                "lengths",
+                "group {name} cannot be assembled wherever the drive was tried, link {plate} is not reached: "
+                "change lengths",
                 name=name,
                 plate=link,
             )
