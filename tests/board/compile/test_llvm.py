@@ -264,7 +264,7 @@ def choices(op: Operation) -> list[dict[str, int]]:
     return [{}] if not op.choices else [{name: sign} for name in op.choices for sign in (1, -1)]
 
 
-WANDERING = ("trace", "trace_on_guide", "trace_on_guides")
+WANDERING = ("trace", "trace_on_guide", "trace_on_guides", "trace_joined")
 """From far off corrections wander by rounding: from near they are compared by whole mechanisms."""
 
 
