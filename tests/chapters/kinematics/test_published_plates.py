@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +33,7 @@ def scene(name: str) -> tmm.Scene:
     return tmm.read(SHEETS / name / "scene.toml")
 
 
-def alike(motion: tmm.Motion, name: str, link: int, row: list[tuple[complex, ...]]) -> None:
+def alike(motion: tmm.Motion, name: str, link: int, row: Sequence[tuple[complex, ...]]) -> None:
     """Hold place, velocity and acceleration of a point against its judge, m, s."""
     tables = motion.places, motion.velocities, motion.accelerations
     for table, due, close in zip(tables, zip(*row, strict=True), (1e-11, 1e-9, 3e-6), strict=True):
@@ -111,7 +112,9 @@ def test_the_hoist_lifts_by_virtual_work() -> None:
     for k, one in enumerate(row):
         a, moved = complex(*one.q[:2]), complex(*one.first[:2])
         mass = a * (1.5 + 0.6j) / (1.32 + 0.19j)
-        due = 6000 * 9.81 * (1j * mass * (moved / a).imag).imag
+        plate = [complex(*row[2:]) - complex(*row[:2]) for row in (one.q, one.first)]
+        lever = moved + plate[1] * (0.2 - 0.11j) / 0.45
+        due = 9.81 * (6000 * (1j * mass * (moved / a).imag).imag + 120 * lever.imag)
         for method in ("forces", "lever"):
             found = abs(forces.balance[f"P_bal_{method}"][k])
             assert abs(found - due) < 1e-9 * due, (method, found, due)
