@@ -7,6 +7,7 @@ sign and the rest is done here.
 from __future__ import annotations
 
 import math
+from decimal import ROUND_HALF_UP, Context
 
 from graphic_tmm.language.catalogue import speaking
 
@@ -22,12 +23,15 @@ def decimal_sign(language: str) -> str:
 def number(value: float, language: str, digits: int = 4) -> str:
     """Return a number to ``digits`` significant figures, with the decimal sign of the language.
 
-    >>> number(0.136571, "ru"), number(-4.0, "en"), number(2.5e-07, "en")
-    ('0,1366', '−4', '2.5·10⁻⁷')
+    Halves go up, away from nothing, as in tables; the noise of the last bits is left out first.
+
+    >>> number(0.136571, "ru"), number(-4.0, "en"), number(2.5e-07, "en"), number(1096.5, "en")
+    ('0,1366', '−4', '2.5·10⁻⁷', '1097')
     """
     if not math.isfinite(value):
         return "—"
-    text = f"{value:.{digits}g}"
+    people = Context(prec=digits, rounding=ROUND_HALF_UP)
+    text = f"{float(people.create_decimal(f'{value:.15g}')):.{digits}g}"
     mantissa, _, exponent = text.partition("e")
     if exponent:
         power = int(exponent)
