@@ -7,7 +7,7 @@ sign and the rest is done here.
 from __future__ import annotations
 
 import math
-from decimal import ROUND_HALF_UP, Context
+from decimal import ROUND_HALF_UP, Context, Decimal
 
 from graphic_tmm.language.catalogue import speaking
 
@@ -30,12 +30,14 @@ def number(value: float, language: str, digits: int = 4) -> str:
     """
     if not math.isfinite(value):
         return "—"
-    people = Context(prec=digits, rounding=ROUND_HALF_UP)
-    text = f"{float(people.create_decimal(f'{value:.15g}')):.{digits}g}"
+    told = Decimal(f"{value:.15g}")
+    text = f"{float(Context(digits, ROUND_HALF_UP).plus(told)):.{digits}g}"
     mantissa, _, exponent = text.partition("e")
     if exponent:
         power = int(exponent)
-        text = f"{value:.0f}" if 0 < power < 7 else f"{mantissa}·10{str(power).translate(_RAISED)}"
+        text = f"{mantissa}·10{str(power).translate(_RAISED)}"
+        if 0 < power < 7:
+            text = str(told.quantize(Decimal(1), ROUND_HALF_UP))
     text = "0" if text in ("-0", "0") else text.replace("-", "−", 1)
     return text.replace(".", decimal_sign(language))
 
