@@ -9,7 +9,7 @@ import pytest
 from support.boards import drawn_of
 from support.driven_scenes import BOOM, OUT, scene
 from support.each import each
-from support.gallery import PLANS, in_usual
+from support.gallery import PLANS, PLATES, in_usual
 from support.plates import machine
 from support.words_of_drives import FIVE_BAR, OPEN_CRANK, TURNS
 
@@ -138,7 +138,7 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
                 continue  # a rod's: its Coriolis part and the tangential one lie along one line
             read = [reading[lengths[t.symbol]] for t in parts if t.symbol in lengths]
             unread = [t.marks for t in parts if t.symbol not in lengths]
-            assert all(name in ("swinging-screen", "landing-gear") for _ in unread)
+            assert all(name in PLATES for _ in unread)
             squares = sum(np.abs(one) ** 2 for one in read)
             squares = squares + sum(np.abs(reading[b] - reading[a]) ** 2 for a, b in unread)
             assert np.allclose(total, squares, rtol=1e-9, atol=1e-9), equation.text
