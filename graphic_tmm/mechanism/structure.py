@@ -6,6 +6,8 @@ W = 3n − 2p5 − p4 (Chebyshev). A letter on k links makes k − 1 turning pai
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import replace
 from itertools import combinations
 from typing import Any, NamedTuple
 
@@ -16,6 +18,9 @@ from graphic_tmm.mechanism.driven import Driven, driven_pairs
 from graphic_tmm.mechanism.groups import AssurGroup, Pair, known_groups
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.wheels import Rolling, bearers, in_order, meshing, rolling
+
+CLASSES = "I", "II", "III", "IV"
+"""The classes of groups, the highest last; that of a driving link is the first."""
 
 
 class Structure(NamedTuple):
@@ -50,6 +55,16 @@ class Structure(NamedTuple):
             self.wheels,
             [one.after for one in self.wheels],
         )
+
+    @property
+    def rank(self) -> int:
+        """The place of its class among the classes: that of its highest group, of a driving link alone 0."""
+        return max((CLASSES.index(one.formula.partition("(")[0]) for one in self.groups), default=0)
+
+    @property
+    def numeral(self) -> str:
+        """Its class."""
+        return CLASSES[self.rank]
 
     @property
     def formula(self) -> str:
@@ -91,8 +106,45 @@ def dissect(mechanism: Mechanism) -> Structure:
     ------
     StructureError
         If a link is tied to nothing, W is not the number of drives, a drive drives no pair, or what remains
-        is a group of a class above II; the message names the links.
+        is a group that is not drawn here; the message names its links, and a link that could drive instead.
     """
+    try:
+        return _dissected(mechanism)
+    except _StrangeGroup as strange:
+        other = next(iter(driven_otherwise(mechanism)), None)
+        if other is None:
+            raise StructureError(strange.says, *strange.keys) from None
+        raise StructureError(
+            said(
+                "{refusal}; or drive link {link}, then the mechanism is of class {numeral}: {formula}",
+                refusal=strange.says,
+                link=other.first.link,
+                numeral=other.numeral,
+                formula=other.formula,
+            ),
+            *strange.keys,
+            "drive.link",
+        ) from None
+
+
+def driven_otherwise(mechanism: Mechanism) -> list[Structure]:
+    """Return the structures of the lowest class that a mechanism has if another link on the frame drives it."""
+    found = []
+    for link in sorted(mechanism.links, key=lambda one: one.number):
+        drive = replace(mechanism.drive, link=link.number, slides=bool(link.slides))
+        if not mechanism.further and drive.link != mechanism.drive.link:
+            with suppress(StructureError):
+                found.append(_dissected(replace(mechanism, drive=drive)))
+    found = [one for one in found if not one.first.telescopes]
+    lowest = min((one.rank for one in found), default=0)
+    return [one for one in found if one.rank == lowest]
+
+
+class _StrangeGroup(StructureError):
+    """What is left when a mechanism grows is no group that this board draws."""
+
+
+def _dissected(mechanism: Mechanism) -> Structure:
     driven = driven_pairs(mechanism)
     pairs = _pairs(mechanism)
     _refuse_loose_and_double(mechanism, pairs)
@@ -109,7 +161,10 @@ def dissect(mechanism: Mechanism) -> Structure:
             wheels.append(wheel)
             known += attachment.stand([wheel.link])
             continue
-        group = attachment.next()
+        try:
+            group = attachment.next()
+        except StructureError as strange:
+            raise _StrangeGroup(strange.says, *strange.keys) from None
         if group is None:
             raise _left_over(mechanism, sorted(attachment.left))
         groups.append(group)
@@ -125,14 +180,14 @@ def dissect(mechanism: Mechanism) -> Structure:
     )
 
 
-def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
+def _left_over(mechanism: Mechanism, left: list[int]) -> _StrangeGroup:
     """Return the refusal of a mechanism whose links are left when no group can come next."""
     names = ", ".join(map(str, left))
     keys = [f"link {number}" for number in left]
     for mesh in mechanism.meshes:
         arms = [number for number in bearers(mechanism.by_number, mesh) if number in left]
         if arms and any(number in left for number in mesh.links):
-            return StructureError(
+            return _StrangeGroup(
                 said(
                     "links {names} are left: a wheel is drawn where another one in mesh with it and the link "
                     "that joins their centres stand already; drive link {arm}, which joins {first} and "
@@ -144,7 +199,7 @@ def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
                 ),
                 *keys,
             )
-    return StructureError(
+    return _StrangeGroup(
         said(
             "links {names} make a group of a class above IV or of a higher order, or are tied to each other "
             "only: this board draws groups of class II (two links, three pairs), of class III where three "

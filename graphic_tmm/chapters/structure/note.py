@@ -12,8 +12,8 @@ from graphic_tmm.chapters.structure.table import (
     PAIR_HEADS,
     WORDS,
     aside_lines,
-    class_of,
     link_rows,
+    otherwise_lines,
     pair_rows,
 )
 from graphic_tmm.chapters.structure.views import part_views
@@ -100,7 +100,9 @@ class StructurePage(Page[Structure]):
         for line in aside_lines(mechanism, structure, language):
             yield paragraph(f"{plain(line)}.")
         yield paragraph(f"{words['formula']}: {structure.formula}.")
-        yield paragraph(f"{words[class_of(structure)]}.")
+        yield paragraph(f"{words[f'class {structure.numeral}']}.")
+        for line in otherwise_lines(mechanism, structure, language):
+            yield paragraph(f"{line}.")
         if found is not None and found.replaced:
             shown = side_by_side(self.figures(*self.pictures))
             yield referred(shown, self.language, REPLACED)

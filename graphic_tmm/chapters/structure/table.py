@@ -11,7 +11,7 @@ from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, SquareGroup
 from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.structure import Structure, freedoms
+from graphic_tmm.mechanism.structure import CLASSES, Structure, driven_otherwise, freedoms
 from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
@@ -274,14 +274,19 @@ def _group(one: AssurGroup | Rolling, words: Mapping[str, str]) -> str:
             return words["belted wheel" if one.mesh.belted else "wheel"].format(name=one.name)
 
 
-CLASSES = "I", "II", "III", "IV"
-"""The classes of groups, the highest last; that of a driving link is the first."""
+OTHERWISE = said("Driven by link {link}, it is of class {numeral}: {formula}")
+"""What stands below the table of pairs, and in a note, on a mechanism of a higher class than II."""
 
 
-def class_of(structure: Structure) -> str:
-    """Return the class of a mechanism: the highest one of its groups."""
-    found = (one.formula.partition("(")[0] for one in structure.groups)
-    return f"class {max(found, key=CLASSES.index, default=CLASSES[0])}"
+def otherwise_lines(mechanism: Mechanism, structure: Structure, language: str) -> list[str]:
+    """Return a line on each other link that drives a mechanism of class III or IV as one of a lower class."""
+    if structure.numeral in CLASSES[:2]:
+        return []
+    return [
+        speaking(language)(OTHERWISE, link=one.first.link, numeral=one.numeral, formula=one.formula)
+        for one in driven_otherwise(mechanism)
+        if one.rank < structure.rank
+    ]
 
 
 def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -> tuple[str, ...]:
@@ -291,9 +296,11 @@ def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -
     n, p, p4 = structure.moving, len(structure.pairs), len(structure.wheels)
     w = f"W = {freedoms(n, p, p4)} = {structure.mobility}"
     mobility = f"n = {n}, p_5 = {p}, p_4 = {p4}, {w}"
-    highest = words[class_of(structure)]
+    highest = words[f"class {structure.numeral}"]
     beside = aside_lines(mechanism, structure, language)
-    return (mobility, *beside, f"{words['formula']}: {structure.formula}", *groups, highest)
+    otherwise = otherwise_lines(mechanism, structure, language)
+    formula = f"{words['formula']}: {structure.formula}"
+    return (mobility, *beside, formula, *groups, highest, *otherwise)
 
 
 PROTOCOL = Protocols(views=lambda project: {STRUCTURE: (STRUCTURE,)})
