@@ -116,7 +116,8 @@ def dissect(mechanism: Mechanism) -> Structure:
             raise StructureError(strange.says, *strange.keys) from None
         raise StructureError(
             said(
-                "{refusal}; or drive link {link}, then the mechanism is of class {numeral}: {formula}",
+                "{refusal}; driven by link {link} the mechanism is of class {numeral}, {formula}: write "
+                "[drive] link = {link}",
                 refusal=strange.says,
                 link=other.first.link,
                 numeral=other.numeral,

@@ -210,7 +210,7 @@ WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
             "2, 3, 4, 5",
             "class IV",
             "turning ones",
-            "drive link 5, then the mechanism is of class III: I(5)",
+            "driven by link 5 the mechanism is of class III, I(5)",
         ),
     ),
     "a square with a double pin": (
@@ -455,3 +455,14 @@ def test_links_that_could_drive_are_those_that_trying_all_drives_gives(seed: int
         assert found == by_trying_all_drives(one)
         several += len(found) > 0
     assert several > len(drawn) // 2
+
+
+def test_a_group_that_is_not_drawn_is_refused_with_the_driving_link_by_which_it_is() -> None:
+    frame = Link(0, {"O": 0j, "D": 4 + 0j, "E": 5 + 0j, "G": 6 + 0j})
+    plates = link(2, "AB"), link(3, "BCJ"), link(4, "CD"), link(5, "JFH")
+    made = mechanism(link(1, "OA"), *plates, link(6, "FE"), link(7, "HG"), frame=frame)
+    formula = "I(6) → II(5-7) → II(3-4) → II(1-2)"
+    with pytest.raises(StructureError, match=re.escape(formula)) as refused:
+        dissect(made)
+    assert "write [drive] link = 6" in str(refused.value)
+    assert dissect(mechanism(*made.links, frame=frame, drive=6)).formula == formula
