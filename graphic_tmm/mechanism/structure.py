@@ -15,7 +15,7 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.attachment import Attachment
 from graphic_tmm.mechanism.driven import Driven, driven_pairs
-from graphic_tmm.mechanism.groups import AssurGroup, Pair, known_groups
+from graphic_tmm.mechanism.groups import AssurGroup, Pair, known_groups, numeral
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.wheels import Rolling, bearers, in_order, meshing, rolling
 
@@ -59,7 +59,7 @@ class Structure(NamedTuple):
     @property
     def rank(self) -> int:
         """The place of its class among the classes: that of its highest group, of a driving link alone 0."""
-        return max((CLASSES.index(one.formula.partition("(")[0]) for one in self.groups), default=0)
+        return max((CLASSES.index(numeral(one)) for one in self.groups), default=0)
 
     @property
     def numeral(self) -> str:

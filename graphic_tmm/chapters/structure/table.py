@@ -8,7 +8,7 @@ from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
 from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, SquareGroup
+from graphic_tmm.mechanism.groups import AssurGroup, Pair
 from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.structure import CLASSES, Structure, driven_otherwise, freedoms
@@ -131,10 +131,7 @@ WORDS = Tongues(
         "R index": said("R"),
         "P index": said("P", context="pair"),
         "formula": said("Formula of structure"),
-        "group": said("Group {name}: class II, order 2, kind {kind}"),
-        "class of group": said("Group {name}, class II"),
-        "class of plate": said("Group {name}, class III"),
-        "class of square": said("Group {name}, class IV"),
+        "class of group": said("Group {name}, class {numeral}"),
         "wheel": said("Group {name}: one link, a lower and a higher pair"),
         "class of wheel": said("Wheel {name} with its higher pair"),
         "belted wheel": said(
@@ -144,8 +141,6 @@ WORDS = Tongues(
         "replacing": said("Replacing linkage"),
         "class of link": said("Driving link {name}, class I"),
         "class of rod": said("Rod in its cylinder {name}, class I"),
-        "plate": said("Group {name}: class III, order 3, the closed figure is link {plate}"),
-        "square": said("Group {name}: class IV, order 2, a closed figure of four links"),
         "class IV": said("The mechanism is of class IV: that of its highest group"),
         "class III": said("The mechanism is of class III: that of its highest group"),
         "class II": said("The mechanism is of class II: that of its highest group"),
@@ -261,17 +256,12 @@ def _index(pair: Pair, mechanism: Mechanism, words: Mapping[str, str]) -> str:
     return f"{words[pair.kind + ' index']}_{{{escape(pair_name(pair, mechanism))}}}({joined})"
 
 
-def _group(one: AssurGroup | Rolling, words: Mapping[str, str]) -> str:
+def _group(one: AssurGroup | Rolling, language: str) -> str:
     """Return what a group is, or a wheel: its class, order and kind."""
-    match one:
-        case Group():
-            return words["group"].format(name=one.name, kind=one.kind)
-        case PlateGroup():
-            return words["plate"].format(name=one.name, plate=one.plate)
-        case SquareGroup():
-            return words["square"].format(name=one.name)
-        case _:
-            return words["belted wheel" if one.mesh.belted else "wheel"].format(name=one.name)
+    if isinstance(one, Rolling):
+        kind = "belted wheel" if one.mesh.belted else "wheel"
+        return WORDS[language][kind].format(name=one.name)
+    return speaking(language)(one.described)
 
 
 OTHERWISE = said("Driven by link {link}, it is of class {numeral}: {formula}")
@@ -292,7 +282,7 @@ def otherwise_lines(mechanism: Mechanism, structure: Structure, language: str) -
 def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -> tuple[str, ...]:
     """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
     words = WORDS[language]
-    groups = [_group(one, words) for one in structure.attached]
+    groups = [_group(one, language) for one in structure.attached]
     n, p, p4 = structure.moving, len(structure.pairs), len(structure.wheels)
     w = f"W = {freedoms(n, p, p4)} = {structure.mobility}"
     mobility = f"n = {n}, p_5 = {p}, p_4 = {p4}, {w}"
