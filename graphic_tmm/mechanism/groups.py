@@ -187,7 +187,9 @@ class SquareGroup(NamedTuple):
         return tuple(leg.link for leg in self.legs)
 
 
-AssurGroup = Group | PlateGroup | SquareGroup
+SpecialGroup = PlateGroup | SquareGroup
+"""A group of a class above II: it has plates."""
+AssurGroup = Group | SpecialGroup
 """A group of any class that this board draws."""
 
 
