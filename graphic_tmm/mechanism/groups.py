@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal, NamedTuple, Never, NoReturn
 
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, said
 from graphic_tmm.mechanism.records import Link, Slide
 
 
@@ -66,6 +66,11 @@ class Group(NamedTuple):
         return f"II({self.name})"
 
     @property
+    def described(self) -> Said:
+        """What it is: its class, order and kind."""
+        return said("Group {name}: class II, order 2, kind {kind}", name=self.name, kind=self.kind)
+
+    @property
     def pairs(self) -> int:
         """How many pairs it has."""
         return 3
@@ -106,6 +111,15 @@ class PlateGroup(NamedTuple):
     def formula(self) -> str:
         """What it is in the formula of structure: "III(2-3-4-5)"."""
         return f"III({self.name})"
+
+    @property
+    def described(self) -> Said:
+        """What it is: its class and order, its plate."""
+        return said(
+            "Group {name}: class III, order 3, the closed figure is link {plate}",
+            name=self.name,
+            plate=self.plate,
+        )
 
     @property
     def pairs(self) -> int:
@@ -151,6 +165,13 @@ class SquareGroup(NamedTuple):
         return f"IV({self.name})"
 
     @property
+    def described(self) -> Said:
+        """What it is: its class and order, its closed figure."""
+        return said(
+            "Group {name}: class IV, order 2, a closed figure of four links", name=self.name
+        )
+
+    @property
     def pairs(self) -> int:
         """How many pairs it has."""
         return 6
@@ -166,8 +187,15 @@ class SquareGroup(NamedTuple):
         return tuple(leg.link for leg in self.legs)
 
 
-AssurGroup = Group | PlateGroup | SquareGroup
+SpecialGroup = PlateGroup | SquareGroup
+"""A group of a class above II: it has plates."""
+AssurGroup = Group | SpecialGroup
 """A group of any class that this board draws."""
+
+
+def numeral(group: AssurGroup) -> str:
+    """Return the class of a group: "II"."""
+    return group.formula.partition("(")[0]
 
 
 def laid(group: AssurGroup, links: Mapping[int, Link]) -> int:
@@ -199,7 +227,7 @@ def class_two(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
                     "group {name} is of class {numeral}: this is drawn of groups of class II only; leave "
                     "it out",
                     name=group.name,
-                    numeral=group.formula.partition("(")[0],
+                    numeral=numeral(group),
                 ),
                 *(f"link {number}" for number in group.links),
                 head=room,

@@ -5,6 +5,8 @@ from __future__ import annotations
 import itertools
 import random
 import re
+from contextlib import suppress
+from dataclasses import replace
 
 import pytest
 from hypothesis import given, settings
@@ -14,7 +16,10 @@ from support.each import each
 from support.examples import most
 from support.gallery import SHEETS
 from support.mechanisms import KINDS, Sampled, mechanisms, sample
+from support.plates import machine
+from support.squares import square
 
+import graphic_tmm as tmm
 from graphic_tmm.errors import StructureError
 from graphic_tmm.mechanism.groups import PlateGroup, SquareGroup
 from graphic_tmm.mechanism.records import Drive, Guide, Link, Mechanism, Side, Slide
@@ -201,7 +206,12 @@ WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
             link(5, "FC", guides=(X,)),
             frame=Link(0, {"O": 0j, "C": 4j}),
         ),
-        ("2, 3, 4, 5", "class IV", "turning ones"),
+        (
+            "2, 3, 4, 5",
+            "class IV",
+            "turning ones",
+            "driven by link 5 the mechanism is of class III, I(5)",
+        ),
     ),
     "a square with a double pin": (
         mechanism(
@@ -378,11 +388,13 @@ def by_trying(mechanism: Mechanism) -> list[set[int]]:
     known = [mechanism.frame.number, mechanism.drive.link]
     left = sorted(bodies.keys() - set(known))
 
+    def pins(one: int, others: list[int]) -> int:
+        return len(bodies[one].points.keys() & {p for k in others for p in bodies[k].points})
+
     def ties(one: int, others: list[int]) -> int:
-        letters = {p for k in others for p in bodies[k].points}
         slides = sum(s.on in others for s in bodies[one].slides)
         slides += sum(s.on == one for k in others for s in bodies[k].slides)
-        return len(bodies[one].points.keys() & letters) + slides
+        return pins(one, others) + slides
 
     found = []
     while left:
@@ -394,6 +406,7 @@ def by_trying(mechanism: Mechanism) -> list[set[int]]:
                 break
         else:
             raise AssertionError(left)
+        assert pins(one, known) + pins(other, known) + pins(one, [other]), "three sliding pairs"
         found.append({one, other})
         known += [one, other]
         left = [k for k in left if k not in (one, other)]
@@ -410,36 +423,45 @@ def test_groups_come_in_the_order_that_trying_all_links_gives(seed: int) -> None
         assert [set(group.links) for group in dissect(shuffled).groups] == by_trying(one)
 
 
-def by_another(made: Mechanism) -> list[str]:
-    """Return the formulas of class II alone, each by another driving link, in the order of the links."""
-    found = []
-    for one in made.links[1:]:
-        try:
-            formula = dissect(mechanism(*made.links, frame=made.frame, drive=one.number)).formula
-        except StructureError:
-            continue
-        if not re.search("III|IV", formula):
-            found.append(formula)
+def tied(mechanism: Mechanism, link: Link) -> bool:
+    """Whether a link could be a crank, or a slider, on the frame: one letter or one slide of it is there."""
+    letters = link.points.keys() & mechanism.frame.points.keys()
+    if link.slides:
+        return not letters and [slide.on for slide in link.slides] == [mechanism.frame.number]
+    return len(letters) == 1 and len(link.points) > 1
+
+
+def by_trying_all_drives(mechanism: Mechanism) -> dict[int, list[set[int]]]:
+    """The groups of two links of a mechanism by the link that drives it, where these are all its groups."""
+    found = {}
+    for link in mechanism.links:
+        if link.number != mechanism.drive.link and tied(mechanism, link):
+            with suppress(AssertionError):
+                found[link.number] = by_trying(replace(mechanism, drive=Drive(link.number, 1.0)))
     return found
 
 
-def test_another_driving_link_makes_a_plate_on_three_legs_of_class_two() -> None:
-    frame = Link(0, {"O": 0j, "D": 4 + 0j, "E": 5 + 0j})
-    links = link(1, "OA"), link(2, "AB"), link(3, "BCF"), link(4, "CD"), link(5, "FE")
-    made = mechanism(*links, frame=frame)
-    assert dissect(made).formula == "I(1) → III(2-3-4-5)"
-    other = driven_otherwise(made)
-    assert other is not None
-    assert other.formula == by_another(made)[0] == "I(4) → II(3-5) → II(1-2)"
-    # what is of class II as it is driven, is of class II all the more
-    assert dissect(mechanism(*FOUR_BAR)).of_class_two
+@pytest.mark.parametrize("seed", range(3))
+def test_links_that_could_drive_are_those_that_trying_all_drives_gives(seed: int) -> None:
+    drawn = [one.mechanism for one in sample(40, seed=seed, dyads=(1, 4))]
+    drawn += [tmm.read(machine(10 * seed + k, guides=k % 3).text).mechanism for k in range(9)]
+    drawn += [tmm.read(square(10 * seed + k).text).mechanism for k in range(9)]
+    several = 0
+    for one in drawn:
+        otherwise = [other for other in driven_otherwise(one) if other.numeral in ("I", "II")]
+        found = {
+            other.first.link: [set(group.links) for group in other.groups] for other in otherwise
+        }
+        assert found == by_trying_all_drives(one)
+        several += len(found) > 0
+    assert several > len(drawn) // 2
 
 
 def test_a_group_that_is_not_drawn_is_refused_with_the_driving_link_by_which_it_is() -> None:
     frame = Link(0, {"O": 0j, "D": 4 + 0j, "E": 5 + 0j, "G": 6 + 0j})
     plates = link(2, "AB"), link(3, "BCJ"), link(4, "CD"), link(5, "JFH")
     made = mechanism(link(1, "OA"), *plates, link(6, "FE"), link(7, "HG"), frame=frame)
-    formula = by_another(made)[0]
+    formula = "I(6) → II(5-7) → II(3-4) → II(1-2)"
     with pytest.raises(StructureError, match=re.escape(formula)) as refused:
         dissect(made)
     assert "write [drive] link = 6" in str(refused.value)

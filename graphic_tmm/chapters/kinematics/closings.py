@@ -317,7 +317,9 @@ class GuideLeg(NamedTuple):
 
 ClosingLeg = PinLeg | GuideLeg
 """How a link of a group is held by what is there already."""
-AnyClosing = Closing | PlateClosing | SquareClosing
+SpecialClosing = PlateClosing | SquareClosing
+"""What a group of a class above II leaves: its plans are drawn by a special point."""
+AnyClosing = Closing | SpecialClosing
 """What a group of any class leaves."""
 
 
