@@ -89,7 +89,8 @@ class Group(NamedTuple):
 class PlateGroup(NamedTuple):
     """An Assur group of class III and order 3: a plate on three legs, each held by what is there already.
 
-    ``inner``: the turning pair of each leg with the plate. The legs that turn come first.
+    ``inner``: the pair of each leg with the plate. The legs that turn come first, those that slide along the
+    plate last.
     """
 
     plate: int

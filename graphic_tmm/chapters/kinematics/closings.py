@@ -104,8 +104,9 @@ class Branch(NamedTuple):
 class PlateClosing(NamedTuple):
     """What a group of class III leaves for the other plans: its three legs, the pins of the plate on them.
 
-    ``root``: the line of the plate as pricked. ``near``: what is given of its place, the angles of the first
-    leg and of the plate; ``branch``: what these are at coordinates of the drive.
+    Of a leg that slides along the plate its pivot is in the place of a pin: there the plate's point over it is
+    meant. ``root``: the line of the plate as pricked, ``line``: its letters. ``near``: what is given of its
+    place, the angles of the first leg and of the plate; ``branch``: what these are at coordinates of the drive.
     """
 
     group: PlateGroup
@@ -113,6 +114,7 @@ class PlateClosing(NamedTuple):
     legs: tuple[ClosingLeg, ClosingLeg, ClosingLeg]
     pins: tuple[str, str, str]
     points: tuple[Mark, Mark, Mark]
+    line: str
     near: tuple[Mark, Mark]
     branch: Branch
 
@@ -129,11 +131,6 @@ class PlateClosing(NamedTuple):
     def special(self) -> str:
         """The letter of Assur's special point."""
         return f"W{self.plate}"
-
-    @property
-    def line(self) -> str:
-        """The letters of the plate's line."""
-        return "".join(self.pins[:2])
 
     @property
     def crossing(self) -> tuple[ClosingLeg, ClosingLeg]:
@@ -182,8 +179,9 @@ class PlateClosing(NamedTuple):
         return self.plate
 
     def image_of(self, leg: ClosingLeg) -> str:
-        """Return the letter of the image of the plate's pin on a leg."""
-        return self.pin_letter(leg).lower()
+        """Return the letter of the image of the plate's pin on a leg: "b"; "o3" of its point over a pivot O."""
+        small = self.pin_letter(leg).lower()
+        return f"{small}{self.plate}" if isinstance(leg, GuideLeg) and leg.inner else small
 
 
 class SquareClosing(NamedTuple):
@@ -377,6 +375,7 @@ def unheld(leg: Never, room: str) -> NoReturn:
 def pair_of(closing: AnyClosing, leg: GuideLeg) -> Pair:
     """Return the sliding pair of a leg."""
     group = closing.group
-    if isinstance(group, Group) and leg.inner:
-        return group.inner
+    if leg.inner and not isinstance(group, SquareGroup):
+        inner = (group.inner,) if isinstance(group, Group) else group.inner
+        return next(pair for pair in inner if leg.link in pair.links)
     return next(k.pair for k in group.legs if k.link == leg.link)

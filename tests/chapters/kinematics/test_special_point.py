@@ -20,11 +20,15 @@ KINDS = (
     {"before": True, "guides": 1},
     {"behind": True},
     {"behind": True, "guides": 1, "before": True},
+    {"slots": 1},
+    {"slots": 1, "guides": 1, "behind": True},
+    {"slots": 2, "before": True},
+    {"slots": 1, "before": True, "behind": True},
 )
 CASES = [(seed, seed % len(KINDS)) for seed in range(300)]
 
 
-@pytest.mark.parametrize(("seed", "kind"), in_turn(CASES, 10))
+@pytest.mark.parametrize(("seed", "kind"), in_turn(CASES, 12))
 def test_a_plate_moves_as_its_bodies_do(seed: int, kind: int) -> None:
     one = machine(seed, **KINDS[kind])
     assert held(one, machine(seed, **(KINDS[kind] | {"behind": False}))) > 0
@@ -75,9 +79,9 @@ def test_where_the_plate_stops_is_within_a_hundredth_of_a_degree() -> None:
     assert [math.isfinite(one) for one in omega] == [True, False, True, False]
 
 
-@pytest.mark.parametrize("guides", range(3))
-def test_a_plate_in_machine_code_moves_as_step_by_step(guides: int) -> None:
-    one = machine(11 + guides, guides=guides)
+@pytest.mark.parametrize(("guides", "slots"), [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2)])
+def test_a_plate_in_machine_code_moves_as_step_by_step(guides: int, slots: int) -> None:
+    one = machine(11 + guides, guides=guides, slots=slots)
     row = followed(one)
     angles = np.degrees([phi for phi, _ in row if phi < row[0][0] + 2 * math.pi])[1:-1]
     slow, fast = (
