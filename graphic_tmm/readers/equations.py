@@ -24,13 +24,14 @@ QUANTITIES = {"p": "v", "π": "a"}
 VECTORS = {roles.VELOCITY: "v", roles.ACCELERATION: "a"}
 """The vectors of a plan by the role of its pole."""
 _INDEX = re.compile(r"([_^])(\w+)")
-_GROUP, _HEADING = re.compile(r"II\((.+)\)"), said("group {name} of class II")
+_GROUP, _HEADING = (
+    re.compile(r"(?P<number>I[IV]+)\((?P<name>.+)\)"),
+    said("group {name} of class {number}"),
+)
 """How the log heads the steps of a group, and what people read: II before a vector would be a parallel."""
-_PLATE, _OF_PLATE = re.compile(r"III\((.+)\)"), said("group {name} of class III")
-"""The same of a plate on three legs."""
-_WHEEL, _ROLLS = re.compile(r"p4\((.+)\)"), said("wheel {name} with its higher pair")
+_WHEEL, _ROLLS = re.compile(r"p4\((?P<name>.+)\)"), said("wheel {name} with its higher pair")
 """The same of a wheel that rolls on another."""
-_BELTED = re.compile(r"p4\((.+)\) by a flexible link")
+_BELTED = re.compile(r"p4\((?P<name>.+)\) by a flexible link")
 _DRIVEN = said("wheel {name} with its flexible link")
 """The same of a wheel that a belt or a chain turns."""
 
@@ -107,14 +108,9 @@ def heading(note: str, language: str) -> str:
     >>> heading("II(2-3)", "en"), heading("v_A = ω_1·l_{OA}", "en")
     ('group 2-3 of class II', 'v_A = ω_1·l_{OA}')
     """
-    for pattern, words in (
-        (_GROUP, _HEADING),
-        (_PLATE, _OF_PLATE),
-        (_WHEEL, _ROLLS),
-        (_BELTED, _DRIVEN),
-    ):
+    for pattern, words in ((_GROUP, _HEADING), (_WHEEL, _ROLLS), (_BELTED, _DRIVEN)):
         if found := pattern.fullmatch(note):
-            return speaking(language)(words, name=found[1])
+            return speaking(language)(words, **found.groupdict())
     return note
 
 

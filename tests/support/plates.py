@@ -219,6 +219,12 @@ class Assembly:
             self.letters[letter, number] = (self.world[letter] - at) * cmath.exp(-1j * angle)
         return number
 
+    def mark(self, letter: str, number: int, place: complex) -> None:
+        """Mark a point of a link that is there."""
+        at, angle = self.bodies.poses[number]
+        self.world[letter] = place
+        self.letters[letter, number] = (place - at) * cmath.exp(-1j * angle)
+
     def rod(self, first: str, second: str) -> int:
         at = self.world[first]
         return self.link(at, cmath.phase(self.world[second] - at), first + second)

@@ -6,7 +6,6 @@ Euler's equations of all links (`free_forces`). Nothing is known here of groups 
 
 from __future__ import annotations
 
-import cmath
 import math
 import re
 from typing import NamedTuple
@@ -88,7 +87,8 @@ def square(
         one.pin(rod[0], number[rod], number[first + "BE"])
         one.pin(rod[1], number[rod], number[second + "CF"])
     if behind:
-        one.dyad("F", number[second + "CF"], "K", "M", (0.1, 0.2))
+        one.mark("L", number[second + "CF"], one.world["F"] + one.polar(0.03, 0.06))
+        one.dyad("L", number[second + "CF"], "K", "M", (0.1, 0.2))
     if loaded:
         _load(one)
     return Square(one.machine("Square"), (plates[0], plates[1]), (number["BC"], number["EF"]))
@@ -110,9 +110,8 @@ def _load(one: Assembly) -> None:
     for number in sorted(one.bodies.poses):
         if number == 1:
             continue
-        (at, angle), centre = one.bodies.poses[number], f"S{number}"
-        one.world[centre] = at + one.polar(0.02, 0.1)
-        one.letters[centre, number] = (one.world[centre] - at) * cmath.exp(-1j * angle)
+        centre = f"S{number}"
+        one.mark(centre, number, one.bodies.poses[number][0] + one.polar(0.02, 0.1))
         mass = one.some(0.3, 3.0)
         one.lines.setdefault(number, []).extend(
             [

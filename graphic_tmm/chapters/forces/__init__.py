@@ -20,6 +20,13 @@ vectors again, and closes. Each leg stands in it between what holds it and its l
 there is what it does to the plate. The line of a leg that slides is square to its guide; what turns it about
 its pin the guide holds by a couple.
 
+Two plates that two links join (class IV, `special`) are solved like the two legs of a dyad. Moments of each
+of the links give what holds it across; what it bears along its line passes through the point where the lines
+of both cross, so about that point each plate is balanced as a leg is about its inner pin: the first one by
+itself, the second one with both links. The polygon of the group closes as that of a dyad. The sides of the
+first plate are a polygon too: in it the two links act on it with what they bear across, which is known, and
+along their lines, which meet in the last vertex.
+
 Where the loads are given, that of the drive among them, and a force at a tool is sought, the lever comes
 first: its moment is that of all loads, reversed, and its arm the velocity of its point along it, so that one
 division gives it; as the arm of the crank pin is to its arm, so it is to the force there (mechanical

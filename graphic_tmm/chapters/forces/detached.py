@@ -67,11 +67,15 @@ class Solution(NamedTuple):
 
 
 class Polygon(NamedTuple):
-    """A polygon of forces as drawn: of what, its scale, its sides in order."""
+    """A polygon of forces as drawn: of what, its scale, its sides in order.
+
+    ``inside``: sides that part what acts in the inner pairs of two plates.
+    """
 
     of: Solution
     mu: Mark
     sides: tuple[Side, ...]
+    inside: tuple[Side, ...] = ()
 
     @property
     def view(self) -> str:
@@ -80,10 +84,10 @@ class Polygon(NamedTuple):
 
 
 class Chain:
-    """The known sides of a polygon, laid off one after another."""
+    """The known sides of a polygon, laid off one after another; ``before``: vertices that are there already."""
 
-    def __init__(self, draft: Draft, mu: Mark, start: Mark) -> None:
-        self.draft, self.mu, self.end = draft, mu, start
+    def __init__(self, draft: Draft, mu: Mark, start: Mark, before: int = 0) -> None:
+        self.draft, self.mu, self.end, self.before = draft, mu, start, before
         self.sides: list[Side] = []
 
     def add(self, letter: str, line: Mark, value: Mark, vertex: str = "") -> None:
@@ -92,12 +96,16 @@ class Chain:
         side = draft.draw(parallel, f"({letter})", self.end, line, sense=1, why=why.KNOWN_SIDE)
         self.lay(letter, side, value, vertex)
 
-    def add_across(self, letter: str, line: Mark, value: Mark) -> None:
-        """Lay off a tangential component: square to its link."""
+    def add_across(self, letter: str, line: Mark, value: Mark, *, back: bool = False) -> None:
+        """Lay off a tangential component, square to its link; ``back``: so that it ends where it begins."""
+        sense = -1 if back else 1
         side = self.draft.draw(
-            square, f"({letter})", self.end, line, sense=1, why=why.KNOWN_TANGENTIAL
+            square, f"({letter})", self.end, line, sense=sense, why=why.KNOWN_TANGENTIAL
         )
         self.lay(letter, side, value)
+        if back:
+            _, tail, head = self.sides.pop()
+            self.sides.append((letter, head, tail))
 
     def lay(self, letter: str, side: Mark, value: Mark, vertex: str = "") -> None:
         """Lay off a force along a line that begins at the end of the chain."""
@@ -111,7 +119,7 @@ class Chain:
     @property
     def count(self) -> int:
         """How many vertices there are."""
-        return len(self.sides) + 1
+        return self.before + len(self.sides) + 1
 
 
 def bare(letter: str) -> str:

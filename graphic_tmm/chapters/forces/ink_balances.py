@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from graphic_tmm.board.operations.formulas import in_si
 from graphic_tmm.board.operations.statics import tangential
@@ -13,11 +13,12 @@ from graphic_tmm.chapters.forces.driving import Driven
 from graphic_tmm.chapters.forces.ink_equations import Row
 from graphic_tmm.chapters.forces.ink_writer import Sought, Sum, Writer
 from graphic_tmm.chapters.forces.lever import Converted, Lever
+from graphic_tmm.chapters.forces.loads import Force
 from graphic_tmm.chapters.forces.plan import Forces
-from graphic_tmm.chapters.forces.statics import Solved, summed_links
+from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.tool import Tool
+from graphic_tmm.chapters.forces.unknowns import Hinged
 from graphic_tmm.chapters.forces.wheels import SolvedWheel
-from graphic_tmm.chapters.kinematics.closings import ClosingLeg
 from graphic_tmm.language.catalogue import speaking
 from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
@@ -47,9 +48,10 @@ def group_rows(writer: Writer, made: Forces, solved: Solved | SolvedWheel) -> It
     for reaction in solved.reactions:
         yield _read(writer, reaction, solved.polygon)
     if solved.special is not None:
-        for leg in solved.closing.legs:
-            if leg.link not in solved.tangents and (total := solved.turning[leg.link]):
-                yield from _guided(writer, solved, _heading(solved, leg), _sum(made, solved, total))
+        for one in solved.hinged:
+            link = one.leg.link
+            if link not in solved.tangents and (total := solved.turning[link]):
+                yield from _guided(writer, solved, _heading(one), _sum(made, solved, total))
     rods = [one for one in made.driven if one.pair.link in solved.rods]
     for driven in rods:
         length, *_ = writer.seen.by_mark[driven.balance].uses
@@ -64,11 +66,12 @@ def group_rows(writer: Writer, made: Forces, solved: Solved | SolvedWheel) -> It
 
 def _leg_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
     """Yield the equations of moments of the legs of a group, then that about the special point of a plate."""
-    for leg in solved.closing.legs:
+    for hinged in solved.hinged:
+        leg = hinged.leg
         total = solved.turning[leg.link]
         if total is None:
             continue
-        heading, of = _heading(solved, leg), _sum(made, solved, total)
+        heading, of = _heading(hinged), _bearing(_sum(made, solved, total), hinged.forces)
         tangent = solved.tangents.get(leg.link)
         if tangent is not None:
             sought = Sought(tangent.letter, tangent.value, tangent.arm, -1, "N")
@@ -81,10 +84,16 @@ def _leg_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
     yield from _third_rows(writer, made, solved)
 
 
-def _heading(solved: Solved, leg: ClosingLeg) -> str:
-    """Return what a sum of moments of a leg is called: by its inner pin, and its links."""
-    links = ",".join(map(str, summed_links(solved.closing, leg)))
-    return f"ΣM_{{{solved.closing.pin(leg).name}}}^{{({links})}}"
+def _heading(hinged: Hinged) -> str:
+    """Return what a sum of moments of a leg is called: by its inner end, and its links."""
+    links = ",".join(map(str, hinged.links))
+    return f"ΣM_{{{hinged.pin.name}}}^{{({links})}}"
+
+
+def _bearing(of: Sum, forces: Iterable[Force]) -> Sum:
+    """Return a sum with forces in it that were found before, with their signs."""
+    known = {one.value: one.letter for one in forces}
+    return of._replace(forces={**of.forces, **known}, signed=known)
 
 
 def _sum(made: Forces, solved: Solved, total: Mark) -> Sum:
@@ -104,11 +113,10 @@ def _by_couple(writer: Writer, solved: Solved, heading: str, of: Sum, link: int)
 
 def _third_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
     """Yield the equation of moments of a plate and its legs about its special point."""
-    if (special := solved.special) is None:
+    if (special := solved.special) is None or special.third is None:
         return
-    of, third = _sum(made, solved, special.total), special.third
-    told = {one.value: one.letter for one in special.forces}
-    of = of._replace(forces={**of.forces, **told}, signed=told)
+    of = _bearing(_sum(made, solved, special.third.total), special.forces)
+    third = special.third.given
     sought = Sought(third.letter, third.value, third.arm, writer.sense(third.arm), "N")
     heading = f"ΣM_{{{special.point.name}}}"
     for parts in writer.sought(heading, of, sought, solved.figure.mu):

@@ -108,7 +108,8 @@ class GroupFigure(NamedTuple):
         """The lines of the figure whose arms are measured."""
         found = {self.figure.lines.get(force.line) for force in self.forces}
         if self.special is not None:
-            found |= {self.special.line, *(force.line for force in self.special.forces)}
+            found |= {force.line for force in self.special.forces}
+            found |= {self.special.third.line} if self.special.third is not None else set()
         return found
 
     @property
@@ -178,7 +179,7 @@ def draw_group(
 
 
 def _crossing(seen: Seen, special: Special | None, k: int) -> Iterator[Ink]:
-    """The special point of a plate, and the lines of both legs as far as it."""
+    """The special point of a plate, or of two, and the lines that lead to it."""
     if special is None:
         return
     at = seen.point(special.point, k)

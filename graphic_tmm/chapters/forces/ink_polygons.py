@@ -44,7 +44,8 @@ def spot(reading: Reading, mark: Mark, index: int) -> complex:
 
 def whole(reading: Reading, polygon: Polygon, reactions: Sequence[Reaction], index: int) -> bool:
     """Whether all vertices of a polygon are there in one position."""
-    ends = [mark for _, tail, head in polygon.sides for mark in (tail, head)]
+    sides = *polygon.sides, *polygon.inside
+    ends = [mark for _, tail, head in sides for mark in (tail, head)]
     ends += [mark for one in reactions for mark in (one.tail, one.head)]
     return all(cmath.isfinite(spot(reading, mark, index)) for mark in ends)
 
@@ -61,15 +62,18 @@ class _Sides:
         mu: float,
     ) -> None:
         self.seen, self.rods, self.mu = seen, rods, mu
-        ends = {(tail, head) for _, tail, head in polygon.sides}
+        ends = {(tail, head) for _, tail, head in (*polygon.sides, *polygon.inside)}
         self.across = {r.length: r for r in reactions if (r.tail, r.head) not in ends}
-        self.laid = {head: letter for letter, _, head in polygon.sides}
+        self.laid = {frozenset(side[1:]): side for side in (*polygon.sides, *polygon.inside)}
+        self.inside = set(polygon.inside)
         self.found = [side for side in polygon.sides if side[2] not in self.own]
         self.closes = not any(step.op is meet for step in seen.steps)
         closing = [one for one in reactions if one.head not in self.own]
         late = closing if self.closes else self.across.values()
         self.lengths = {(r.tail, r.head): r.length for r in late}
         self.split = [side for rod in rods if rod.rest for side in (rod.side, rod.rest)]
+        known = [{seen.by_mark[step.uses[0]].uses[0], head} for head, step in self.own.items()]
+        self.split += [one for one in polygon.inside if {*one[1:]} not in known]
 
     @property
     def own(self) -> Mapping[Mark, Step]:
@@ -79,9 +83,9 @@ class _Sides:
     def side(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """A known side, laid off; its arrow."""
         start = seen.by_mark[step.uses[0]].uses[0]
-        letter = self.laid.get(step.it)
-        if letter is not None:
-            yield from self.arrow(letter, start, step.it, k, "main")
+        side = self.laid.get(frozenset((start, step.it)))
+        if side is not None:
+            yield from self.arrow(*side, k, "thin" if side in self.inside else "main")
 
     def measured(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """A reaction across the polygon; another one is a side, or was measured of one."""
@@ -122,7 +126,7 @@ class _Sides:
         """
         across = [(r.letter, r.tail, r.head) for r in self.across.values()]
         rests = (rod.rest for rod in self.rods if rod.rest is not None)
-        for side in (*polygon.sides, *across, *rests):
+        for side in (*polygon.sides, *polygon.inside, *across, *rests):
             length = self.lengths.get(side[1:])
             yield side, 0.5, tuple(mark.slot for mark in (*side[1:], length) if mark is not None)
         for rod in self.rods:

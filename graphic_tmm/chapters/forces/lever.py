@@ -32,7 +32,7 @@ from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.by_drive import ByDrive
-from graphic_tmm.chapters.kinematics.closings import PinLeg, PlateClosing, legs_of
+from graphic_tmm.chapters.kinematics.closings import Closing, PinLeg, groups_of
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion, pin_image, pivot_image
@@ -285,15 +285,18 @@ def _base(
             start, segment = pivot_image(velocities, wheel.leg), velocities.readings[link]
             end = velocities.pitches[link]
             return _Base(segment, wheel.leg.length, start, end, wheel.leg.line, sense)
-    for closing, leg in legs_of(positions.closings, VIEW):
-        if isinstance(leg, PinLeg) and velocities.rates.get(leg.link) == rate:
-            start = velocities.ends.get(leg.link) or pivot_image(velocities, leg)
-            end = pin_image(velocities, closing, leg)
-            segment = velocities.readings[leg.link]
+    for closing in groups_of(positions.closings, VIEW):
+        if not isinstance(closing, Closing) and rate in map(
+            velocities.rates.get, closing.group.plates
+        ):
+            arms = special_point(draft, closing).legs
+            leg = next(one for one in arms if rate == velocities.rates.get(one.link))
+            start, end, _ = draft.uses(segment := velocities.readings[leg.link])
             return _Base(segment, leg.length, start, end, leg.line, sense)
-    for plate in positions.closings:
-        if isinstance(plate, PlateClosing) and rate == velocities.rates.get(plate.group.plate):
-            leg, segment = special_point(draft, plate).leg, velocities.readings[plate.group.plate]
-            start, end, _ = draft.uses(segment)
-            return _Base(segment, leg.length, start, end, leg.line, sense)
+        for one in closing.arms:
+            if isinstance(one, PinLeg) and velocities.rates.get(one.link) == rate:
+                start = velocities.ends.get(one.link) or pivot_image(velocities, one)
+                end = pin_image(velocities, closing, one)
+                segment = velocities.readings[one.link]
+                return _Base(segment, one.length, start, end, one.line, sense)
     return None

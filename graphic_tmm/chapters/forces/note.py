@@ -13,7 +13,7 @@ from graphic_tmm.chapters.forces.lever import VIEW as LEVER
 from graphic_tmm.chapters.forces.loads import VIEW as LOADS
 from graphic_tmm.chapters.forces.note_sums import Kept, applied, sums
 from graphic_tmm.chapters.forces.plan import Forces
-from graphic_tmm.chapters.forces.statics import Solved, last_legs
+from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import ADVANTAGE, TOOL, names_of
 from graphic_tmm.chapters.forces.views import (
     EXACTLY,
@@ -40,6 +40,11 @@ MOMENTS = said("Equilibrium of moments:")
 SPECIAL = said(
     "What holds legs {first} and {second} along their lines passes through the special point {point}: about it "
     "only what holds the third leg is unknown."
+)
+SPECIAL_OF_PLATES = said(
+    "What links {first} and {second} bear along their lines passes through the special point {point}: about it "
+    "each of both plates is balanced as a link is about its inner pin. What acts on the first of them alone "
+    "then parts what both links bear."
 )
 CLOSED = said("Equilibrium of forces; the polygon closes where the lines of the unknown ones meet:")
 IDLE = said("All forces are zero: there is no polygon.")
@@ -132,8 +137,9 @@ class ForcePage(Page[Forces]):
             return
         point, told = solved.special.point, self.of(solved.special.point.view)
         if told is not None:
-            first, second = (str(leg.link) for leg in last_legs(solved.closing))
-            yield self.says(SPECIAL, first=first, second=second, point=told.symbol(point))
+            first, second = (str(leg.link) for leg in solved.special.crossing)
+            says = SPECIAL if solved.special.third is not None else SPECIAL_OF_PLATES
+            yield self.says(says, first=first, second=second, point=told.symbol(point))
 
     def _detached(
         self, polygon: Polygon, rows: Iterator[object], more: tuple[Block, ...] = ()

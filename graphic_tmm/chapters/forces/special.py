@@ -1,6 +1,7 @@
-"""A plate on three legs: moments of the whole group about Assur's special point give what holds the third leg.
+"""Assur's special point in a detached group: what holds two links along their lines has no moment about it.
 
-The lines of what holds the other two legs cross there, so neither has a moment.
+Of a plate on three legs moments of the whole group about it give what holds the third leg. Of two plates that
+two links join, the lines of these cross there: each plate is held like a link whose inner pin it is.
 """
 
 from __future__ import annotations
@@ -8,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from graphic_tmm.board.operations.instruments import meet, square
+from graphic_tmm.board.operations.instruments import join, meet, square
 from graphic_tmm.board.operations.statics import reversed_
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Number
@@ -17,6 +18,7 @@ from graphic_tmm.chapters.forces.detached import Detached
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
 from graphic_tmm.chapters.forces.operations import along_third
 from graphic_tmm.chapters.forces.unknowns import (
+    Hinged,
     Slope,
     Slopes,
     Tangent,
@@ -24,23 +26,39 @@ from graphic_tmm.chapters.forces.unknowns import (
     links_of,
     unknown_line,
 )
-from graphic_tmm.chapters.kinematics.closings import ClosingLeg, GuideLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.closings import (
+    ClosingLeg,
+    GuideLeg,
+    PinLeg,
+    PlateClosing,
+    SquareClosing,
+)
+
+
+class Third(NamedTuple):
+    """What moments about the special point give of the third leg of a plate, and the line of that leg.
+
+    ``total``: the sum of moments (N·m).
+    """
+
+    line: Mark
+    total: Mark
+    given: Tangent
 
 
 class Special(NamedTuple):
-    """Assur's special point in the figure of a plate, the lines that cross there, the line of the third leg.
+    """Assur's special point in the figure of a group, the legs whose lines cross there, all lines through it.
 
-    ``forces``, ``couples``: what holds legs and is known when moments about it are taken; ``total``: their sum
-    with the loads (N·m); ``third``: what that gives of the third leg.
+    ``forces``, ``couples``: what is known when moments about it are taken, beside the loads; ``third``: of a
+    plate on three legs, what these give of the third.
     """
 
     point: Mark
-    lines: tuple[Mark, Mark]
-    line: Mark
+    crossing: tuple[ClosingLeg, ClosingLeg]
+    lines: tuple[Mark, ...]
     forces: tuple[Force, ...]
-    couples: tuple[Couple, ...]
-    total: Mark
-    third: Tangent
+    couples: tuple[Couple, ...] = ()
+    third: Third | None = None
 
 
 def solve_third(
@@ -56,21 +74,8 @@ def solve_third(
     ``turning``: the moments that guides hold, by link; ``tangents``: components that are known, by link.
     """
     draft = figure.draft
-
-    def line_of(leg: ClosingLeg) -> Mark:
-        through, slope = figure.point(closing.at(leg)), _slope(leg, slopes)
-        return figure.once(
-            (leg, slope, leg.link in tangents),
-            lambda: unknown_line(draft, leg, through, slopes, tangents),
-        )
-
-    first, second = (line_of(leg) for leg in closing.crossing)
-    name = f"W{closing.group.plate}"
-    point = figure.once(
-        ("special", first, second),
-        lambda: draft.draw(meet, name, first, second, free=True, why=why.SPECIAL_POINT_OF_FORCES),
-    )
-    figure.own(point)
+    because = why.SPECIAL_POINT_OF_FORCES
+    point, lines = _crossing(figure, closing, slopes, tangents, because)
     forces = tuple(
         _across(figure, leg, tangents[leg.link])
         for leg in closing.legs
@@ -84,15 +89,82 @@ def solve_third(
     links = (*closing.group.links, *closing.group.rods)
     known = [force for link in links for force in acting.forces.get(link, [])]
     turned = [couple for link in links for couple in acting.couples.get(link, [])]
-    letter = f"ΣM_{{{name}}}"
+    letter = f"ΣM_{{{point.letter}}}"
     total = figure.sum(point, [*known, *forces], [*turned, *couples], letter)
     if total is None:
         total = draft.take(Number, letter, 0.0, "N·m")
-    called, line = _letter(closing.third), line_of(closing.third)
+    called, line = _letter(closing.third), _line(figure, closing, closing.third, slopes, tangents)
     height = figure.arm(called, point, line)
     value = draft.draw(along_third, called, total, height, figure.mu, unit="N")
-    given = Tangent(called, value, height)
-    return Special(point, (first, second), line, forces, couples, total, given)
+    third = Third(line, total, Tangent(called, value, height))
+    return Special(point, closing.crossing, lines, forces, couples, third)
+
+
+def hinge_plates(
+    figure: Detached, closing: SquareClosing, slopes: Slopes, tangents: Mapping[int, Tangent]
+) -> tuple[Special, tuple[Hinged, Hinged]]:
+    """Find where the lines of the links cross that join two plates; return these as hinged there.
+
+    What holds the links across is known, by link: the first plate bears it, the second one with the links.
+    """
+    draft, (first, second) = figure.draft, closing.legs
+    point, lines = _crossing(figure, closing, slopes, tangents, why.POINT_OF_PLATES)
+    across = [
+        _across(figure, one, tangents[one.link]) for one in closing.joining if one.link in tangents
+    ]
+    back = [_reversed(figure, first.link, force) for force in across]
+
+    def arm(leg: PinLeg) -> Mark:
+        ends = figure.point(leg.pivot), point
+        return figure.once(
+            ("arm", leg),
+            lambda: draft.draw(
+                join, f"({leg.letter}{point.letter})", *ends, why=why.TO_SPECIAL_POINT
+            ),
+        )
+
+    arms = [arm(leg) for leg in closing.legs]
+    one, other = (
+        leg._replace(line=line, length=figure.length(leg.pivot, point))
+        for leg, line in zip(closing.legs, arms, strict=True)
+    )
+    joined = tuple(leg.link for leg in closing.joining)
+    special = Special(point, closing.crossing, (*lines, *arms), (*across, *back))
+    return special, (
+        Hinged(one, point, (first.link,), tuple(back)),
+        Hinged(other, point, (second.link, *joined), tuple(across)),
+    )
+
+
+def _crossing(
+    figure: Detached,
+    closing: PlateClosing | SquareClosing,
+    slopes: Slopes,
+    tangents: Mapping[int, Tangent],
+    because: str,
+) -> tuple[Mark, tuple[Mark, Mark]]:
+    """Return the special point in a figure, and the lines that cross there."""
+    first, second = (_line(figure, closing, leg, slopes, tangents) for leg in closing.crossing)
+    point = figure.once(
+        ("special", first, second),
+        lambda: figure.draft.draw(meet, closing.special, first, second, free=True, why=because),
+    )
+    return figure.own(point), (first, second)
+
+
+def _line(
+    figure: Detached,
+    closing: PlateClosing | SquareClosing,
+    leg: ClosingLeg,
+    slopes: Slopes,
+    tangents: Mapping[int, Tangent],
+) -> Mark:
+    """Return the line of what holds a leg where that is known in direction only."""
+    through, slope = figure.point(closing.at(leg)), _slope(leg, slopes)
+    return figure.once(
+        (leg, slope, leg.link in tangents),
+        lambda: unknown_line(figure.draft, leg, through, slopes, tangents),
+    )
 
 
 def _letter(leg: ClosingLeg) -> str:
@@ -116,6 +188,13 @@ def _across(figure: Detached, leg: PinLeg, tangent: Tangent) -> Force:
     )
     figure.lines[line] = line
     return Force(tangent.letter, leg.link, leg.pivot, line, tangent.value)
+
+
+def _reversed(figure: Detached, plate: int, force: Force) -> Force:
+    """Return what a link does to the plate that holds it across."""
+    letter = f"R_{{{force.link}{plate}}}^{{t}}"
+    value = figure.draft.draw(reversed_, letter, force.value, unit="N", why=why.ON_THE_PLATE)
+    return force._replace(letter=letter, link=plate, value=value)
 
 
 def _held(figure: Detached, leg: GuideLeg, turning: Mark) -> Couple:

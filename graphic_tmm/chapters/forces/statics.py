@@ -10,10 +10,19 @@ from graphic_tmm.board.operations.instruments import measure, measure_along, mee
 from graphic_tmm.board.operations.statics import place_of, tangential
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces import words as why
-from graphic_tmm.chapters.forces.detached import Chain, Detached, Pair, Polygon, Reaction, Solution
+from graphic_tmm.chapters.forces.detached import (
+    Chain,
+    Detached,
+    Pair,
+    Polygon,
+    Reaction,
+    Side,
+    Solution,
+)
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
-from graphic_tmm.chapters.forces.special import Special, solve_third
+from graphic_tmm.chapters.forces.special import Special, hinge_plates, solve_third
 from graphic_tmm.chapters.forces.unknowns import (
+    Hinged,
     Slopes,
     Tangent,
     closing_letter,
@@ -26,6 +35,8 @@ from graphic_tmm.chapters.kinematics.closings import (
     ClosingLeg,
     GuideLeg,
     PinLeg,
+    PlateClosing,
+    SquareClosing,
 )
 from graphic_tmm.mechanism.groups import Pair as KinematicPair
 
@@ -33,15 +44,17 @@ from graphic_tmm.mechanism.groups import Pair as KinematicPair
 class Solved(NamedTuple):
     """A group as solved: its reactions (outer ones by leg, then the inner), its polygon.
 
-    ``turning``: the sum of moments about its inner pin that the outer pair of a link has to balance;
-    ``tangents``: by link, the component of the outer reaction that does (N) and its arm (Length). ``figure``:
-    the group as detached. ``rods``: by rod, the ends of the vector whose part along it drives it out.
-    ``special``: of a plate on three legs, what moments about its special point give.
+    ``hinged``: its legs in the order in which moments about their inner ends are taken. ``turning``: the sum of
+    moments that the outer pair of a link has to balance; ``tangents``: by link, the component of the outer
+    reaction that does (N) and its arm (Length). ``figure``: the group as detached. ``rods``: by rod, the ends
+    of the vector whose part along it drives it out. ``special``: the special point of a plate on three legs,
+    or of two plates.
     """
 
     closing: AnyClosing
     reactions: tuple[Reaction, ...]
     polygon: Polygon
+    hinged: tuple[Hinged, ...]
     turning: dict[int, Mark | None]
     tangents: dict[int, Tangent]
     figure: Detached
@@ -55,12 +68,21 @@ class Solved(NamedTuple):
 
 
 def inner_pairs(closing: AnyClosing) -> tuple[KinematicPair, ...]:
-    """Return the inner pairs of a group: that of both links, or of a plate with each of its legs."""
-    return (closing.group.inner,) if isinstance(closing, Closing) else closing.group.inner
+    """Return the inner pairs of a group: that of both links, of a plate with its legs, of links with plates."""
+    match closing:
+        case Closing():
+            return (closing.group.inner,)
+        case SquareClosing():
+            return tuple(pair for ends in closing.group.inner for pair in ends)
+        case _:
+            return closing.group.inner
 
 
 def inside(closing: AnyClosing) -> tuple[Pair, ...]:
     """Return the links that its inner pairs join: in each the one that pushes, and the one that is pushed."""
+    if isinstance(closing, SquareClosing):
+        first, second = closing.group.plates
+        return tuple(ends for k in closing.group.joining for ends in ((first, k), (k, second)))
     ends = [links_of(leg)[-1] for leg in closing.legs]
     if isinstance(closing, Closing):
         return ((ends[0], ends[1]),)
@@ -69,7 +91,7 @@ def inside(closing: AnyClosing) -> tuple[Pair, ...]:
 
 def last_legs(closing: AnyClosing) -> tuple[ClosingLeg, ClosingLeg]:
     """Return the legs whose unknown sides close a polygon: that of the first leg is its last."""
-    return closing.legs if isinstance(closing, Closing) else closing.crossing
+    return closing.crossing if isinstance(closing, PlateClosing) else closing.legs
 
 
 class _Stands(NamedTuple):
@@ -94,18 +116,23 @@ def solve_group(
 ) -> Solved:
     """Solve a group: of two links, or a plate on three legs, of which the third stands beside its loads.
 
+    Two plates are solved like two links; then the polygon of the first parts what the links do that join them.
     ``rough``: friction is called for, so the normal parts of sliding pairs are wanted.
     """
     first, second = last_legs(closing)
     draft = figure.draft
     draft.open(figure.view)
-    turning: dict[int, Mark | None] = {}
-    for leg in closing.legs:
-        turning[leg.link] = _moments_of(figure, closing, acting, leg, f"ΣM_{leg.link}")
-    tangents = _tangents(figure, closing, turning)
+    turning, tangents = dict[int, Mark | None](), dict[int, Tangent]()
+    hinged = tuple(Hinged(k, closing.pin(k), summed_links(closing, k)) for k in closing.arms)
+    _balance(figure, acting, hinged, turning, tangents)
     special = None
-    if not isinstance(closing, Closing):
+    if isinstance(closing, PlateClosing):
         special = solve_third(figure, closing, acting, slopes, turning, tangents)
+    elif isinstance(closing, SquareClosing):
+        special, plates = hinge_plates(figure, closing, slopes, tangents)
+        _balance(figure, acting, plates, turning, tangents)
+        first, second = (one.leg for one in plates)
+        hinged += plates
     chain = of.begin(draft)
     start = chain.end
     _across(chain, first, tangents)
@@ -113,9 +140,12 @@ def solve_group(
     halves = [_lay_loads(chain, acting, links_of(first))]
     middle = chain.end
     found = dict[int, _Stands]()
-    if not isinstance(closing, Closing) and special is not None:
-        _lay_loads(chain, acting, (closing.group.plate,))
+    if isinstance(closing, PlateClosing) and special is not None:
+        _lay_loads(chain, acting, (closing.plate,))
         found[closing.third.link], special = _third(chain, acting, closing.third, tangents, special)
+    ends = list[Mark]()
+    if isinstance(closing, SquareClosing):
+        ends += [_lay_loads(chain, acting, (one.link,)) for one in closing.joining[::-1]]
     behind = chain.end
     halves.append(_lay_loads(chain, acting, links_of(second)[::-1]))
     loaded = chain.end
@@ -130,10 +160,46 @@ def solve_group(
     found[second.link] = _Stands((loaded, top), (behind, top), halves[1])
     letters = [closing_letter(leg, tangents) for leg in (first, second)]
     sides = (*chain.sides, (letters[1], chain.end, top), (letters[0], top, start))
+    inside = tuple[Side, ...]()
+    if isinstance(closing, SquareClosing):
+        inside = _part(chain, closing, acting, tangents, (top, middle, ends[0]), found)
     reactions = _read(figure, closing, found, turning, rough=rough)
-    drawn = Polygon(figure.of, chain.mu, sides)
+    drawn = Polygon(figure.of, chain.mu, sides, inside)
     rods = _rods(closing, found, second)
-    return Solved(closing, reactions, drawn, turning, tangents, figure, rods, special)
+    return Solved(closing, reactions, drawn, hinged, turning, tangents, figure, rods, special)
+
+
+def _part(
+    chain: Chain,
+    closing: SquareClosing,
+    acting: Acting,
+    tangents: dict[int, Tangent],
+    ends: tuple[Mark, Mark, Mark],
+    found: dict[int, _Stands],
+) -> tuple[Side, ...]:
+    """Part what the first plate does to the links that join it to the second; return the sides that do so.
+
+    ``ends``: of all that it does to both, and where the loads of the second link end; ``found``: where the
+    links stand is entered.
+    """
+    draft, (first, second), (top, middle, behind) = chain.draft, closing.joining, ends
+    known, lines = Chain(draft, chain.mu, top, chain.count), list[Mark]()
+    corners = list[Mark]()
+    for leg, end in ((first, top), (second, middle)):
+        known.end = end
+        if leg.link in tangents:
+            known_part = tangents[leg.link]
+            known.add_across(known_part.letter, leg.line, known_part.value, back=leg == second)
+        corners.append(known.end)
+        lines.append(unknown_line(draft, leg, known.end, {}, tangents))
+    at = draft.draw(meet, str(known.count + 1), *lines, why=why.PLATE_CLOSES)
+    carried = Chain(draft, chain.mu, at, known.count)
+    _lay_loads(carried, acting, (first.link,))
+    found[first.link] = _Stands((top, at), (top, carried.end), at)
+    found[second.link] = _Stands((at, middle), (at, behind), middle)
+    letters = [closing_letter(leg, tangents) for leg in (first, second)]
+    parts = (letters[0], corners[0], at), (letters[1], at, corners[1])
+    return (*known.sides, *parts, *carried.sides)
 
 
 def _lay_loads(chain: Chain, acting: Acting, links: tuple[int, ...]) -> Mark:
@@ -157,10 +223,12 @@ def _third(
     start = chain.end
     _across(chain, leg, tangents)
     corner, third = chain.end, special.third
-    chain.add(third.letter, special.line, third.value)
+    assert third is not None
+    chain.add(third.given.letter, third.line, third.given.value)
     held = chain.end
     half = _lay_loads(chain, acting, links_of(leg))
-    special = special._replace(third=third._replace(side=(corner, held)))
+    given = third.given._replace(side=(corner, held))
+    special = special._replace(third=third._replace(given=given))
     return _Stands((start, held), (start, chain.end), half), special
 
 
@@ -195,29 +263,25 @@ def summed_links(closing: AnyClosing, leg: ClosingLeg) -> tuple[int, ...]:
     return links_of(leg)
 
 
-def _moments_of(
-    figure: Detached, closing: AnyClosing, acting: Acting, leg: ClosingLeg, letter: str
-) -> Mark | None:
-    links = summed_links(closing, leg)
-    forces = [force for link in links for force in acting.forces.get(link, [])]
-    couples = [couple for link in links for couple in acting.couples.get(link, [])]
-    return figure.sum(closing.pin(leg), forces, couples, letter)
-
-
-def _tangents(
-    figure: Detached, closing: AnyClosing, turning: dict[int, Mark | None]
-) -> dict[int, Tangent]:
-    """Calculate the tangential components of the turning legs, where there is a moment to balance."""
-    found = {}
-    for leg in closing.legs:
-        total = turning[leg.link]
+def _balance(
+    figure: Detached,
+    acting: Acting,
+    hinged: tuple[Hinged, ...],
+    turning: dict[int, Mark | None],
+    tangents: dict[int, Tangent],
+) -> None:
+    """Enter the moments of legs about their inner ends; of those that turn the tangential components too."""
+    for leg, pin, links, borne in hinged:
+        forces = [force for link in links for force in acting.forces.get(link, [])]
+        couples = [couple for link in links for couple in acting.couples.get(link, [])]
+        total = figure.sum(pin, [*forces, *borne], couples, f"ΣM_{leg.link}")
+        turning[leg.link] = total
         if isinstance(leg, PinLeg) and total is not None:
             letter = f"R_{{{leg.body}{links_of(leg)[0]}}}^{{t}}"
-            reach = figure.length(leg.pivot, closing.pin(leg))
+            reach = figure.length(leg.pivot, pin)
             uses = (total, reach, figure.mu)
             value = figure.draft.draw(tangential, letter, *uses, unit="N")
-            found[leg.link] = Tangent(letter, value, reach)
-    return found
+            tangents[leg.link] = Tangent(letter, value, reach)
 
 
 def _across(chain: Chain, leg: ClosingLeg, tangents: dict[int, Tangent]) -> None:
@@ -244,10 +308,14 @@ def _read(
         couple = turning[leg.link] if slides else None
         held = leg.body, links_of(leg)[0]
         reactions.append(reaction_of(figure, held, found[leg.link].outer, guide, couple))
-    for leg, pair, links in zip(closing.legs, inner_pairs(closing), inside(closing), strict=False):
+    inner = [(leg, found[leg.link].inner) for leg in closing.legs]
+    if isinstance(closing, SquareClosing):
+        stands = [(leg, found[leg.link]) for leg in closing.joining]
+        inner = [(leg, ends) for leg, one in stands for ends in (one.outer, one.inner)]
+    for (leg, ends), pair, links in zip(inner, inner_pairs(closing), inside(closing), strict=False):
         slides = pair.kind == "P"
         guide, couple = (leg.line if rough else None, turning[leg.link]) if slides else (None, None)
-        reactions.append(reaction_of(figure, links, found[leg.link].inner, guide, couple))
+        reactions.append(reaction_of(figure, links, ends, guide, couple))
     return tuple(reactions)
 
 

@@ -11,6 +11,7 @@ from graphic_tmm.board.operations.statics import at_friction_angle
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Pair
+from graphic_tmm.chapters.forces.loads import Force
 from graphic_tmm.chapters.kinematics.closings import ClosingLeg, GuideLeg, PinLeg, unheld
 
 
@@ -41,6 +42,15 @@ class Tangent(NamedTuple):
     value: Mark
     arm: Mark
     side: tuple[Mark, Mark] | None = None
+
+
+class Hinged(NamedTuple):
+    """A leg about whose inner end moments are taken: of which links; what these bear beside their loads."""
+
+    leg: ClosingLeg
+    pin: Mark
+    links: tuple[int, ...]
+    forces: tuple[Force, ...] = ()
 
 
 def links_of(leg: ClosingLeg) -> tuple[int, ...]:

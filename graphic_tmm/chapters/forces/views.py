@@ -227,8 +227,9 @@ def _along(solved: Solved, leg: ClosingLeg, at: Mark) -> Reactive:
         return Reactive(letter, at, tail, head)
     assert solved.special is not None
     third = solved.special.third
-    assert third.side is not None
-    return Reactive(third.letter, at, *third.side)
+    assert third is not None
+    assert third.given.side is not None
+    return Reactive(third.given.letter, at, *third.given.side)
 
 
 def _rubbed(drawn: Drawn, made: Forces, links: tuple[int, ...]) -> list[Rubbed]:

@@ -216,6 +216,21 @@ FRICTION_READ = said("The friction of the guide is the part of the reaction alon
 SPECIAL_POINT_OF_FORCES = said(
     "The lines of what holds two of the legs cross in Assur's special point: about it neither has a moment."
 )
+POINT_OF_PLATES = said(
+    "What the links bear that join both plates acts along their lines but for the known parts: where the lines "
+    "cross it has no moment."
+)
+TO_SPECIAL_POINT = said(
+    "About the special point a plate is balanced as a link is about its inner pin: its outer reaction has a "
+    "part along this line and one square to it."
+)
+ON_THE_PLATE = said(
+    "What the plate does to the link across it, the link does to the plate, reversed."
+)
+PLATE_CLOSES = said(
+    "All that acts on the first plate closes a polygon too: what it does to both links begins and ends in "
+    "vertices that are there, so their normal components meet."
+)
 TANGENTIAL_LINE = said("The tangential component acts at the outer pin, square to the link.")
 GUIDE_HOLDS = said(
     "What turns the slider about its pin is held by the guide: its reaction stands off the pin, as a force at "

@@ -106,7 +106,7 @@ class Search:
         least = LEAST * (self.sweep.high - self.sweep.low)
         while (end - nodes[-1][0]) * sense > least:
             here = nodes[-1][0]
-            there = here + sense * min(step, abs(end - here))
+            there = end if step >= abs(end - here) else here + sense * step
             reached = self._step(nodes, there, sign)
             if reached is None:
                 step /= 2.0

@@ -44,6 +44,11 @@ class Closing(NamedTuple):
         """Return what is given of its place at coordinates of the drive: its side is told apart."""
         return {}
 
+    @property
+    def arms(self) -> tuple[ClosingLeg, ...]:
+        """The links that are drawn from a pivot to a pin: its legs."""
+        return self.legs
+
     def at(self, leg: ClosingLeg) -> Mark:
         """Return where what a leg holds acts: at its pivot, or at the closing point."""
         return _at(leg, self.point)
@@ -151,6 +156,11 @@ class PlateClosing(NamedTuple):
         """The plate's pin on its third leg."""
         return self.pin(self.third)
 
+    @property
+    def arms(self) -> tuple[ClosingLeg, ...]:
+        """The links that are drawn from a pivot to a pin: its legs."""
+        return self.legs
+
     def at(self, leg: ClosingLeg) -> Mark:
         """Return where what a leg holds acts: at its pivot, or at its pin."""
         return _at(leg, self.pin(leg))
@@ -223,6 +233,11 @@ class SquareClosing(NamedTuple):
     def point(self) -> Mark:
         """The second plate's pin on the first link."""
         return self.points[1]
+
+    @property
+    def arms(self) -> tuple[PinLeg, ...]:
+        """The links that are drawn from a pivot to a pin: those that join the plates."""
+        return self.joining
 
     def at(self, leg: ClosingLeg) -> Mark:
         """Return where what a leg holds acts: at its pivot."""

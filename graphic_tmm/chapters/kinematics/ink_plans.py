@@ -32,7 +32,7 @@ from graphic_tmm.paper.rules import stays as usual
 from graphic_tmm.paper.seen import Seen, Subject, finite
 from graphic_tmm.paper.symbols.dimensions import told_arrow
 from graphic_tmm.paper.symbols.kinematic import pole
-from graphic_tmm.readers.equations import Equation, Term, heading
+from graphic_tmm.readers.equations import Equation, Term, by_group, heading
 
 CLOSE = 2.0
 """Images nearer than this, mm, share one label: arrows end in one place there."""
@@ -193,10 +193,10 @@ def draw_equations(
     """
     large, small = heights.point, heights.number
     told = [(text, large) for text in _crank(construction, plan)]
-    for equation in found:
-        told.append((f"{heading(equation.group, language)}:", small))
-        told.append((equation.markup, large))
-        told.append((f"({equation.directions})", small))
+    for group, solved in by_group(found).items():
+        told.append((f"{heading(group, language)}:", small))
+        for equation in solved:
+            told += [(equation.markup, large), (f"({equation.directions})", small)]
     rows = [(title, heights.title), *((symbol(text, language), size) for text, size in told)]
     labels, base = list[Label](), 0.0
     for text, size in rows:

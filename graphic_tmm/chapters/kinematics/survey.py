@@ -312,7 +312,7 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     found = [np.ones(row.shape), *(_sine(reading, *two) for two in crossings)]
     for closing, image in groups:
         found.append(_speed(reading, image))
-        legs = (leg for two in _crossings(tried, closing) for leg in two)
+        legs = _along_forces(tried, closing)
         pinned = (leg for leg in legs if isinstance(leg, PinLeg) or leg.inner)
         hung = [leg.line for leg in pinned if crank and leg.body == first.link]
         arm = reading[crank[1]] - reading[crank[0]] if crank else np.ones_like(row)
@@ -329,6 +329,13 @@ def _crossings(tried: Survey, closing: AnyClosing) -> list[tuple[ClosingLeg, Clo
     if isinstance(closing, SquareClosing):
         return [closing.crossing, (special.legs[0], special.legs[1])]
     return [closing.crossing, (special.leg, closing.third)]
+
+
+def _along_forces(tried: Survey, closing: AnyClosing) -> tuple[ClosingLeg, ...]:
+    """Return the legs along whose lines a group without loads is held: joined plates by the special point."""
+    if isinstance(closing, SquareClosing):
+        return drawn_point(tried.construction, closing).legs
+    return closing.legs
 
 
 def _sine(reading: Reading, one: ClosingLeg, other: ClosingLeg) -> Reals:
