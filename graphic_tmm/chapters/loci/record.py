@@ -26,7 +26,7 @@ from graphic_tmm.board.operations.instruments import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Arc, Point, Reals, Side
 from graphic_tmm.chapters.kinematics.branches import Search
-from graphic_tmm.chapters.kinematics.closings import PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg, PlateClosing
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.chapters.kinematics.plates import TRACINGS
 from graphic_tmm.chapters.kinematics.survey import Survey
@@ -155,7 +155,7 @@ def trace_place(bench: Bench) -> Mark:
     made, draft = LOCI_PLAN.on(bench), bench.draft
     closing, off = made.closing, made.loosened.off
     draft.open(TRACED)
-    tracing = TRACINGS[sum(held.kind is not Arc for _, held in made.held)]
+    tracing = TRACINGS[made.held[1][1].kind, made.held[2][1].kind]
     lengths = [
         draft.length(name, size)
         for name, size in (
@@ -199,6 +199,15 @@ def _plate(tried: Survey, order: LociTask) -> PlateClosing:
             else said("there is no plate on three legs: leave [loci] out")
         )
         raise StructureError(says, f"{LOCI}.plate" if plates else LOCI, head=LOCI)
+    if any(isinstance(leg, GuideLeg) and leg.inner for leg in found[0].legs):
+        raise StructureError(
+            said(
+                "link {n} slides along one of its legs: no pin of it draws a locus; leave [loci] out",
+                n=found[0].plate,
+            ),
+            f"link {found[0].plate}",
+            head=LOCI,
+        )
     return found[0]
 
 
@@ -217,7 +226,7 @@ def _laid(
     reading = tried.at(np.array([[coordinate]]), [*marks, *lengths])
     apart, x, y = (float(reading[one].flat[0]) for one in lengths)
     link = tried.mechanism.by_number[closing.plate]
-    tracing = PlateTracing(closing.group, link, marks, 0.0, apart, complex(x, y))
+    tracing = PlateTracing(closing.group, link, marks, 0.0, (complex(apart), complex(x, y)))
     places = Search(tracing, loci, tried.pairs[0].sweep).places(coordinate)
     there = [type(one)(*(part.flat[0] for part in one)) for one in loci(np.array([coordinate]))]
     found = Loosened(there[0], there[1], there[2], apart, complex(x, y))

@@ -9,7 +9,7 @@ import pytest
 from support.boards import drawn_of
 from support.driven_scenes import BOOM, OUT, scene
 from support.each import each
-from support.gallery import PLANS, PLATES, in_usual
+from support.gallery import PLANS, in_usual
 from support.plates import machine
 from support.words_of_drives import FIVE_BAR, OPEN_CRANK, TURNS
 

@@ -85,5 +85,7 @@ def test_what_is_refused_names_the_remedy() -> None:
 
 
 def test_a_scene_without_it_records_nothing() -> None:
-    plain = re.sub(r"\[loci\]\nat = 2\n", "", scene("landing-gear")).replace('"loci"', '"positions"')
+    plain = re.sub(r"\[loci\]\nat = 2\n", "", scene("landing-gear")).replace(
+        '"loci"', '"positions"'
+    )
     assert LOCI not in tmm.project.own_boards(read_text(plain))
