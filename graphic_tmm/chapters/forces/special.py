@@ -112,6 +112,8 @@ def hinge_plates(
     across = [
         _across(figure, one, tangents[one.link]) for one in closing.joining if one.link in tangents
     ]
+    for force in across:
+        figure.arm(force.letter, point, force.line)
     back = [_reversed(figure, first.link, force) for force in across]
 
     def arm(leg: PinLeg) -> Mark:

@@ -14,6 +14,7 @@ from graphic_tmm.chapters.forces.detached import (
     Chain,
     Detached,
     Pair,
+    Parted,
     Polygon,
     Reaction,
     Side,
@@ -138,7 +139,7 @@ def solve_group(
     _across(chain, first, tangents)
     loads = chain.end
     halves = [_lay_loads(chain, acting, links_of(first))]
-    middle = chain.end
+    middle, before = chain.end, len(chain.sides)
     found = dict[int, _Stands]()
     if isinstance(closing, PlateClosing) and special is not None:
         _lay_loads(chain, acting, (closing.plate,))
@@ -160,11 +161,12 @@ def solve_group(
     found[second.link] = _Stands((loaded, top), (behind, top), halves[1])
     letters = [closing_letter(leg, tangents) for leg in (first, second)]
     sides = (*chain.sides, (letters[1], chain.end, top), (letters[0], top, start))
-    inside = tuple[Side, ...]()
+    parted = None
     if isinstance(closing, SquareClosing):
-        inside = _part(chain, closing, acting, tangents, (top, middle, ends[0]), found)
+        parts = _part(chain, closing, acting, tangents, (top, middle, ends[0]), found)
+        parted = Parted((sides[-1], *sides[:before]), *parts)
     reactions = _read(figure, closing, found, turning, rough=rough)
-    drawn = Polygon(figure.of, chain.mu, sides, inside)
+    drawn = Polygon(figure.of, chain.mu, sides, parted)
     rods = _rods(closing, found, second)
     return Solved(closing, reactions, drawn, hinged, turning, tangents, figure, rods, special)
 
@@ -176,8 +178,10 @@ def _part(
     tangents: dict[int, Tangent],
     ends: tuple[Mark, Mark, Mark],
     found: dict[int, _Stands],
-) -> tuple[Side, ...]:
+) -> tuple[tuple[Side, ...], tuple[Side, ...]]:
     """Part what the first plate does to the links that join it to the second; return the sides that do so.
+
+    Then those of the loads of the first link, carried to where it is parted.
 
     ``ends``: of all that it does to both, and where the loads of the second link end; ``found``: where the
     links stand is entered.
@@ -187,9 +191,7 @@ def _part(
     corners = list[Mark]()
     for leg, end in ((first, top), (second, middle)):
         known.end = end
-        if leg.link in tangents:
-            known_part = tangents[leg.link]
-            known.add_across(known_part.letter, leg.line, known_part.value, back=leg == second)
+        _across(known, leg, tangents, back=leg == second)
         corners.append(known.end)
         lines.append(unknown_line(draft, leg, known.end, {}, tangents))
     at = draft.draw(meet, str(known.count + 1), *lines, why=why.PLATE_CLOSES)
@@ -199,7 +201,7 @@ def _part(
     found[second.link] = _Stands((at, middle), (at, behind), middle)
     letters = [closing_letter(leg, tangents) for leg in (first, second)]
     parts = (letters[0], corners[0], at), (letters[1], at, corners[1])
-    return (*known.sides, *parts, *carried.sides)
+    return (*known.sides, *parts), tuple(carried.sides)
 
 
 def _lay_loads(chain: Chain, acting: Acting, links: tuple[int, ...]) -> Mark:
@@ -284,12 +286,14 @@ def _balance(
             tangents[leg.link] = Tangent(letter, value, reach)
 
 
-def _across(chain: Chain, leg: ClosingLeg, tangents: dict[int, Tangent]) -> None:
-    """Lay a tangential component off, if a leg has one: square to the leg."""
+def _across(
+    chain: Chain, leg: ClosingLeg, tangents: dict[int, Tangent], *, back: bool = False
+) -> None:
+    """Lay a tangential component off, if a leg has one: square to the leg; ``back``: so that it ends there."""
     if leg.link in tangents:
-        start, found = chain.end, tangents[leg.link]
-        chain.add_across(found.letter, leg.line, found.value)
-        tangents[leg.link] = found._replace(side=(start, chain.end))
+        found = tangents[leg.link]
+        chain.add_across(found.letter, leg.line, found.value, back=back)
+        tangents[leg.link] = found._replace(side=chain.sides[-1][1:])
 
 
 def _read(
