@@ -76,6 +76,17 @@ class Group(NamedTuple):
         return 3
 
     @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs between its links."""
+        return (self.inner,)
+
+    @property
+    def inside(self) -> tuple[tuple[int, int], ...]:
+        """The links that these join: in each the one that pushes, and the one that is pushed."""
+        first, second = self.legs
+        return ((first.link, second.link),)
+
+    @property
     def rest(self) -> tuple[int, ...]:
         """Its links that nothing holds which is there: none."""
         return ()
@@ -128,6 +139,16 @@ class PlateGroup(NamedTuple):
         return 6
 
     @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs of its legs with the plate."""
+        return self.inner
+
+    @property
+    def inside(self) -> tuple[tuple[int, int], ...]:
+        """The links that these join: in each the one that pushes, and the one that is pushed."""
+        return tuple((leg.link, self.plate) for leg in self.legs)
+
+    @property
     def rest(self) -> tuple[int, ...]:
         """Its links that nothing holds which is there: the plate."""
         return (self.plate,)
@@ -176,6 +197,17 @@ class SquareGroup(NamedTuple):
     def pairs(self) -> int:
         """How many pairs it has."""
         return 6
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs of what joins the plates with these."""
+        return tuple(pair for ends in self.inner for pair in ends)
+
+    @property
+    def inside(self) -> tuple[tuple[int, int], ...]:
+        """The links that these join: in each the one that pushes, and the one that is pushed."""
+        first, second = self.plates
+        return tuple(ends for k in self.joining for ends in ((first, k), (k, second)))
 
     @property
     def rest(self) -> tuple[int, ...]:

@@ -21,7 +21,7 @@ from graphic_tmm.chapters.forces.detached import (
     Solution,
 )
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
-from graphic_tmm.chapters.forces.special import Special, hinge_plates, solve_third
+from graphic_tmm.chapters.forces.special import Special, solve_special
 from graphic_tmm.chapters.forces.unknowns import (
     Hinged,
     Slopes,
@@ -36,8 +36,7 @@ from graphic_tmm.chapters.kinematics.closings import (
     ClosingLeg,
     GuideLeg,
     PinLeg,
-    PlateClosing,
-    SquareClosing,
+    last_legs,
 )
 from graphic_tmm.mechanism.groups import Pair as KinematicPair
 
@@ -65,34 +64,13 @@ class Solved(NamedTuple):
     @property
     def pairs(self) -> tuple[KinematicPair, ...]:
         """The pairs in which its reactions act, in their order."""
-        return (*(leg.pair for leg in self.closing.group.legs), *inner_pairs(self.closing))
-
-
-def inner_pairs(closing: AnyClosing) -> tuple[KinematicPair, ...]:
-    """Return the inner pairs of a group: that of both links, of a plate with its legs, of links with plates."""
-    match closing:
-        case Closing():
-            return (closing.group.inner,)
-        case SquareClosing():
-            return tuple(pair for ends in closing.group.inner for pair in ends)
-        case _:
-            return closing.group.inner
+        return (*(leg.pair for leg in self.closing.group.legs), *self.closing.group.inner_pairs)
 
 
 def inside(closing: AnyClosing) -> tuple[Pair, ...]:
     """Return the links that its inner pairs join: in each the one that pushes, and the one that is pushed."""
-    if isinstance(closing, SquareClosing):
-        first, second = closing.group.plates
-        return tuple(ends for k in closing.group.joining for ends in ((first, k), (k, second)))
-    ends = [links_of(leg)[-1] for leg in closing.legs]
-    if isinstance(closing, Closing):
-        return ((ends[0], ends[1]),)
-    return tuple((end, closing.group.plate) for end in ends)
-
-
-def last_legs(closing: AnyClosing) -> tuple[ClosingLeg, ClosingLeg]:
-    """Return the legs whose unknown sides close a polygon: that of the first leg is its last."""
-    return closing.crossing if isinstance(closing, PlateClosing) else closing.legs
+    ends = {leg.link: links_of(leg)[-1] for leg in closing.legs}
+    return tuple((ends.get(one, one), ends.get(two, two)) for one, two in closing.group.inside)
 
 
 class _Stands(NamedTuple):
@@ -126,14 +104,12 @@ def solve_group(
     turning, tangents = dict[int, Mark | None](), dict[int, Tangent]()
     hinged = tuple(Hinged(k, closing.pin(k), summed_links(closing, k)) for k in closing.arms)
     _balance(figure, acting, hinged, turning, tangents)
-    special = None
-    if isinstance(closing, PlateClosing):
-        special = solve_third(figure, closing, acting, slopes, turning, tangents)
-    elif isinstance(closing, SquareClosing):
-        special, plates = hinge_plates(figure, closing, slopes, tangents)
-        _balance(figure, acting, plates, turning, tangents)
+    third = [leg for leg in closing.legs if leg not in (first, second)]
+    special, plates = solve_special(figure, closing, acting, slopes, turning, tangents)
+    _balance(figure, acting, plates, turning, tangents)
+    if plates:
         first, second = (one.leg for one in plates)
-        hinged += plates
+    hinged += plates
     chain = of.begin(draft)
     start = chain.end
     _across(chain, first, tangents)
@@ -141,12 +117,11 @@ def solve_group(
     halves = [_lay_loads(chain, acting, links_of(first))]
     middle, before = chain.end, len(chain.sides)
     found = dict[int, _Stands]()
-    if isinstance(closing, PlateClosing) and special is not None:
-        _lay_loads(chain, acting, (closing.plate,))
-        found[closing.third.link], special = _third(chain, acting, closing.third, tangents, special)
-    ends = list[Mark]()
-    if isinstance(closing, SquareClosing):
-        ends += [_lay_loads(chain, acting, (one.link,)) for one in closing.joining[::-1]]
+    if special is not None and third:
+        _lay_loads(chain, acting, closing.group.rest)
+        found[third[0].link], special = _third(chain, acting, third[0], tangents, special)
+    joining = closing.arms if plates else ()
+    ends = [_lay_loads(chain, acting, (one.link,)) for one in joining[::-1]]
     behind = chain.end
     halves.append(_lay_loads(chain, acting, links_of(second)[::-1]))
     loaded = chain.end
@@ -162,10 +137,10 @@ def solve_group(
     letters = [closing_letter(leg, tangents) for leg in (first, second)]
     sides = (*chain.sides, (letters[1], chain.end, top), (letters[0], top, start))
     parted = None
-    if isinstance(closing, SquareClosing):
-        parts = _part(chain, closing, acting, tangents, (top, middle, ends[0]), found)
+    if joining:
+        parts = _part(chain, joining, acting, tangents, (top, middle, ends[0]), found)
         parted = Parted((sides[-1], *sides[:before]), *parts)
-    reactions = _read(figure, closing, found, turning, rough=rough)
+    reactions = _read(figure, closing, found, turning, joining, rough=rough)
     drawn = Polygon(figure.of, chain.mu, sides, parted)
     rods = _rods(closing, found, second)
     return Solved(closing, reactions, drawn, hinged, turning, tangents, figure, rods, special)
@@ -173,7 +148,7 @@ def solve_group(
 
 def _part(
     chain: Chain,
-    closing: SquareClosing,
+    joining: tuple[ClosingLeg, ...],
     acting: Acting,
     tangents: dict[int, Tangent],
     ends: tuple[Mark, Mark, Mark],
@@ -186,7 +161,7 @@ def _part(
     ``ends``: of all that it does to both, and where the loads of the second link end; ``found``: where the
     links stand is entered.
     """
-    draft, (first, second), (top, middle, behind) = chain.draft, closing.joining, ends
+    draft, (first, second), (top, middle, behind) = chain.draft, joining, ends
     known, lines = Chain(draft, chain.mu, top, chain.count), list[Mark]()
     corners = list[Mark]()
     for leg, end in ((first, top), (second, middle)):
@@ -301,6 +276,7 @@ def _read(
     closing: AnyClosing,
     found: dict[int, _Stands],
     turning: dict[int, Mark | None],
+    joining: tuple[ClosingLeg, ...],
     *,
     rough: bool,
 ) -> tuple[Reaction, ...]:
@@ -313,10 +289,12 @@ def _read(
         held = leg.body, links_of(leg)[0]
         reactions.append(reaction_of(figure, held, found[leg.link].outer, guide, couple))
     inner = [(leg, found[leg.link].inner) for leg in closing.legs]
-    if isinstance(closing, SquareClosing):
-        stands = [(leg, found[leg.link]) for leg in closing.joining]
+    if joining:
+        stands = [(leg, found[leg.link]) for leg in joining]
         inner = [(leg, ends) for leg, one in stands for ends in (one.outer, one.inner)]
-    for (leg, ends), pair, links in zip(inner, inner_pairs(closing), inside(closing), strict=False):
+    for (leg, ends), pair, links in zip(
+        inner, closing.group.inner_pairs, inside(closing), strict=False
+    ):
         slides = pair.kind == "P"
         guide, couple = (leg.line if rough else None, turning[leg.link]) if slides else (None, None)
         reactions.append(reaction_of(figure, links, ends, guide, couple))

@@ -22,7 +22,7 @@ from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.load_strokes import loads_along_guides
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.spring_diagrams import spring_views, springs_on_plan
-from graphic_tmm.chapters.forces.statics import Solved, last_legs
+from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import force_columns, names_of
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.tool import Tool
@@ -30,7 +30,7 @@ from graphic_tmm.chapters.forces.wheels import SolvedWheel
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.along import AlongGuide, AlongGuides
-from graphic_tmm.chapters.kinematics.closings import ClosingLeg
+from graphic_tmm.chapters.kinematics.closings import ClosingLeg, last_legs
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn

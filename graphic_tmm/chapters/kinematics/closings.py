@@ -353,6 +353,11 @@ def legs_of(closings: Iterable[AnyClosing], room: str) -> Iterator[tuple[AnyClos
     return ((closing, leg) for closing in groups_of(closings, room) for leg in closing.legs)
 
 
+def last_legs(closing: AnyClosing) -> tuple[ClosingLeg, ClosingLeg]:
+    """Return the legs whose unknown sides close a polygon of forces: that of the first leg is its last."""
+    return closing.crossing if isinstance(closing, PlateClosing) else closing.legs
+
+
 def outer_guides(
     closings: Iterable[AnyClosing], room: str
 ) -> Iterator[tuple[AnyClosing, GuideLeg]]:
