@@ -64,7 +64,9 @@ class _Sides:
         self.seen, self.rods, self.mu = seen, rods, mu
         ends = {(tail, head) for _, tail, head in (*polygon.sides, *polygon.inside)}
         self.across = {r.length: r for r in reactions if (r.tail, r.head) not in ends}
-        self.laid = {frozenset(side[1:]): side for side in (*polygon.sides, *polygon.inside)}
+        # of two plates one side is laid off from its head
+        self.laid = {side[:0:-1]: side for side in polygon.inside}
+        self.laid |= {side[1:]: side for side in (*polygon.sides, *polygon.inside)}
         self.inside = set(polygon.inside)
         self.found = [side for side in polygon.sides if side[2] not in self.own]
         self.closes = not any(step.op is meet for step in seen.steps)
@@ -83,7 +85,7 @@ class _Sides:
     def side(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """A known side, laid off; its arrow."""
         start = seen.by_mark[step.uses[0]].uses[0]
-        side = self.laid.get(frozenset((start, step.it)))
+        side = self.laid.get((start, step.it))
         if side is not None:
             yield from self.arrow(*side, k, "thin" if side in self.inside else "main")
 
