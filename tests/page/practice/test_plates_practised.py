@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from support.benches import Packed, numbers, worked
+from support.gallery import SHEETS
 from support.plate_by_hand import SCENE
 from support.plates import machine
 
@@ -24,8 +25,9 @@ TEXTS = {
     "two guides": lambda: machine(2, guides=2).text,
     "a dyad before": lambda: machine(2, before=True).text,
     "a dyad behind": lambda: machine(4, behind=True).text,
+    "joined plates": lambda: (SHEETS / "class-four" / "scene.toml").read_text("utf-8"),
 }
-TRACINGS = ("trace", "trace_on_guide", "trace_on_guides")
+TRACINGS = ("trace", "trace_on_guide", "trace_on_guides", "trace_joined")
 
 
 @cache
