@@ -65,7 +65,8 @@ def places(structure: Structure, positions: Positions) -> dict[str, str]:
                 found[own.pair.name] = closing.pin_letter(leg)
         for pair in closing.group.inner_pairs:
             if pair.kind == "P":
-                found[pair.name] = closing.pin_letter(closing.legs[0])
+                leg = next(one for one in closing.legs if one.link in pair.links)
+                found[pair.name] = closing.pin_letter(leg)
     return found
 
 

@@ -82,7 +82,7 @@ def _leg_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
         elif solved.special is None:
             yield from _guided(writer, solved, heading, of)
         else:
-            yield from _by_couple(writer, solved, heading, of, leg.link)
+            yield from _by_couple(writer, solved, heading, of)
     yield from _third_rows(writer, made, solved)
 
 
@@ -113,13 +113,15 @@ def _sum(made: Forces, solved: Solved, total: Mark) -> Sum:
     return Sum(total, *_names(made, (*group.links, *group.rods)))
 
 
-def _by_couple(writer: Writer, solved: Solved, heading: str, of: Sum, link: int) -> Iterator[Row]:
-    """Yield what turns a slider about its pin, and the couple by which its guide holds that."""
-    assert solved.special is not None
-    couple = next(one.value for one in solved.special.couples if one.link == link)
+def _by_couple(writer: Writer, solved: Solved, heading: str, of: Sum) -> Iterator[Row]:
+    """Yield what turns a slider about its pin, the couple by which its guide holds that; what a plate bears."""
     yield Row(writer.summed(heading, of, solved.figure.mu), of.total)
-    told = f"{writer.figure(couple)} {unit('N·m', writer.language)}"
-    yield Row([f"{writer.letter(couple.name)} = {heading} = {told}"], couple)
+    told, total = heading, of.total
+    backs = {step.uses[0]: step.it for step in writer.seen.steps if step.op is reversed_}
+    while (couple := backs.get(total)) is not None:
+        size = f"{writer.figure(couple)} {unit('N·m', writer.language)}"
+        yield Row([f"{writer.letter(couple.name)} = {told} = {size}"], couple)
+        told, total = writer.letter(couple.name), couple
 
 
 def _third_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:

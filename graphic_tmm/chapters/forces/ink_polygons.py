@@ -62,7 +62,10 @@ class _Sides:
         mu: float,
     ) -> None:
         self.seen, self.rods, self.mu = seen, rods, mu
-        ends = {(tail, head) for _, tail, head in (*polygon.sides, *polygon.inside)}
+        known = [{seen.by_mark[step.uses[0]].uses[0], head} for head, step in self.own.items()]
+        # what holds a leg that slides along a plate is a side too: it lies across what was laid off there
+        laid = [s for s in polygon.sides if s[2] not in self.own or {*s[1:]} in known]
+        ends = {(tail, head) for _, tail, head in (*laid, *polygon.inside)}
         self.across = {r.length: r for r in reactions if (r.tail, r.head) not in ends}
         # of two plates one side is laid off from its head
         self.laid = {side[:0:-1]: side for side in polygon.inside}
@@ -74,7 +77,6 @@ class _Sides:
         late = closing if self.closes else self.across.values()
         self.lengths = {(r.tail, r.head): r.length for r in late}
         self.split = [side for rod in rods if rod.rest for side in (rod.side, rod.rest)]
-        known = [{seen.by_mark[step.uses[0]].uses[0], head} for head, step in self.own.items()]
         self.split += [one for one in polygon.inside if {*one[1:]} not in known]
 
     @property

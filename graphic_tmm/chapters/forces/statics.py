@@ -126,10 +126,9 @@ def solve_group(
     halves.append(_lay_loads(chain, acting, links_of(second)[::-1]))
     loaded = chain.end
     _across(chain, second, tangents)
-    held = isinstance(first, GuideLeg) and first.inner
     lines = [
-        unknown_line(draft, first, middle if held else start, slopes, tangents),
-        unknown_line(draft, second, chain.end, slopes, tangents),
+        unknown_line(draft, first, middle if first.inner else start, slopes, tangents),
+        unknown_line(draft, second, behind if second.inner else chain.end, slopes, tangents),
     ]
     top = draft.draw(meet, str(chain.count + 1), lines[1], lines[0], why=why.POLYGON_CLOSES)
     found[first.link] = _Stands((top, loads), (top, middle), halves[0])
@@ -196,17 +195,27 @@ def _third(
     tangents: dict[int, Tangent],
     special: Special,
 ) -> tuple[_Stands, Special]:
-    """Lay off what holds the third leg of a plate, and its loads behind."""
+    """Lay off what holds the third leg of a plate, and its loads behind.
+
+    Of a leg that slides along the plate it is what that does to the plate: with its loads what holds it gives
+    the same.
+    """
     start = chain.end
+    half = _lay_loads(chain, acting, links_of(leg)) if leg.inner else start
+    chain.end = start
     _across(chain, leg, tangents)
     corner, third = chain.end, special.third
     assert third is not None
     chain.add(third.given.letter, third.line, third.given.value)
-    held = chain.end
-    half = _lay_loads(chain, acting, links_of(leg))
+    held, outer = chain.end, start
+    if leg.inner:
+        outer = half
+        chain.sides[-1] = closing_letter(leg, tangents), half, held
+    else:
+        half = _lay_loads(chain, acting, links_of(leg))
     given = third.given._replace(side=(corner, held))
     special = special._replace(third=third._replace(given=given))
-    return _Stands((start, held), (start, chain.end), half), special
+    return _Stands((outer, held), (start, chain.end), half), special
 
 
 def _rods(
@@ -233,8 +242,7 @@ def summed_links(closing: AnyClosing, leg: ClosingLeg) -> tuple[int, ...]:
 
     Through an inner sliding pair they are passed on, so that it balances those of both links.
     """
-    held = isinstance(leg, GuideLeg) and leg.inner
-    if isinstance(closing, Closing) and closing.group.inner.kind == "P" and not held:
+    if isinstance(closing, Closing) and closing.group.inner.kind == "P" and not leg.inner:
         first, second = closing.legs
         return first.link, second.link
     return links_of(leg)

@@ -209,7 +209,7 @@ def group_shown(drawn: Drawn, made: Forces, solved: Solved | SolvedWheel) -> Gro
             tail, head = tangent.side
             own = tangent.value, tangent.arm, leg.link
             unknown.append(Reactive(tangent.letter, at, tail, head, *own))
-        elif leg in last_legs(closing):
+        elif leg in last_legs(closing) or leg.inner:
             unknown.append(Reactive(reaction.letter, at, reaction.tail, reaction.head))
             continue
         unknown.append(_along(solved, leg, at))

@@ -181,7 +181,7 @@ class PlateClosing(NamedTuple):
     def image_of(self, leg: ClosingLeg) -> str:
         """Return the letter of the image of the plate's pin on a leg: "b"; "o3" of its point over a pivot O."""
         small = self.pin_letter(leg).lower()
-        return f"{small}{self.plate}" if isinstance(leg, GuideLeg) and leg.inner else small
+        return f"{small}{self.plate}" if leg.inner else small
 
 
 class SquareClosing(NamedTuple):
@@ -291,6 +291,11 @@ class PinLeg(NamedTuple):
     length: Mark
     rod: int = 0
     turned: bool = False
+
+    @property
+    def inner(self) -> bool:
+        """Whether it slides along another link of its group: it does not."""
+        return False
 
     @property
     def links(self) -> tuple[int, ...]:

@@ -213,8 +213,8 @@ SHEETS = {
 }
 
 
-def check(seed: int, guides: int, behind: int) -> None:
-    drawn = (held := held_plate(seed, guides, behind)).drawn
+def check(seed: int, guides: int, behind: int, slots: int = 0) -> None:
+    drawn = (held := held_plate(seed, guides, behind, slots)).drawn
     loaded, pick = weighed(drawn, seed), random.Random(seed)
     gravity, inertia, turned = (bool(pick.randint(0, 3)) for _ in range(3))
     order = order_of(
@@ -228,7 +228,7 @@ def check(seed: int, guides: int, behind: int) -> None:
     poses = {number: pose for number, pose in drawn.poses.items() if number != frame}
     solved = solve(loaded, drawn.phi, poses, order, turned=turned, branches=held.branches)
     found = errors(solved)
-    assert max(found.values()) <= RATIO, (seed, guides, behind, found)
+    assert max(found.values()) <= RATIO, (seed, guides, behind, slots, found)
 
 
 @pytest.mark.parametrize("behind", range(3))
@@ -239,6 +239,15 @@ def test_a_plate_on_any_legs_bears_as_newton_and_euler_say(
     """Reactions, what balances the crank, the lever; legs on the frame, the crank, links of another dyad."""
     for seed in range(many(150, 4)):
         check(9000 + 100 * behind + seed, guides, behind)
+
+
+@pytest.mark.parametrize(("guides", "slots"), [(0, 1), (1, 1), (0, 2)])
+def test_a_plate_with_legs_along_it_bears_as_newton_and_euler_say(
+    guides: int, slots: int, many: Callable[[int, int], int]
+) -> None:
+    """What such a leg does to the plate is square to the guide, with what turns it about its pivot."""
+    for seed in range(many(150, 6)):
+        check(9500 + seed, guides, seed % 3, slots)
 
 
 @pytest.mark.parametrize("guides", range(3))
