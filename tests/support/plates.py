@@ -144,12 +144,8 @@ class Bodies:
             if body == 0:
                 return 0j, 0j, 0.0, 0.0
             at = 3 * body - 3
-            return (
-                complex(*q[at : at + 2]),
-                complex(*v[at : at + 2]),
-                float(q[at + 2]),
-                float(v[at + 2]),
-            )
+            place, speed = (complex(*row[at : at + 2]) for row in (q, v))
+            return place, speed, float(q[at + 2]), float(v[at + 2])
 
         for pin in self.pins:
             gain = 0j
