@@ -250,7 +250,7 @@ def _begun(search: Search, near: Near | None) -> tuple[float, list[Line]]:
     return sweep.low, []
 
 
-def follow_branch(wheels: Wheels, tracing: Tracing) -> Branch:
+def followed_place(wheels: Wheels, tracing: Tracing) -> Branch:
     """Return the place that a scene means of a plate, followed all over what the first drive goes through."""
     draft = wheels.draft
     log, sweep = draft.board.construction(), wheels.pairs[0].sweep

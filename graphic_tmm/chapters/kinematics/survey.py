@@ -14,7 +14,7 @@ from graphic_tmm.board.operations.instruments import measure_along, ray
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.branches import follow_branch
+from graphic_tmm.chapters.kinematics.branches import followed_place
 from graphic_tmm.chapters.kinematics.closings import (
     Branch,
     ClosingLeg,
@@ -151,7 +151,7 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
 
     def branch(wheels: Wheels, tracing: Tracing) -> Branch:
         name = tracing.group.name
-        branches[name] = follow_branch(wheels, tracing)
+        branches[name] = followed_place(wheels, tracing)
         return branches[name]
 
     positions = draw_positions(draft, mechanism, structure, frame, row, wound, branch)
