@@ -79,7 +79,7 @@ WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
             link(4, "D", Slide(0, Y)),
             link(5, "E", Slide(0, X)),
         ),
-        ("links 2, 4, 5 and 3", "has turning pairs alone"),
+        ("links 2, 4, 5 and 3", "turning pairs alone", "driven by link 4"),
     ),
     "two shared letters": (
         mechanism(link(1, "OA"), link(2, "AB"), link(3, "AB")),

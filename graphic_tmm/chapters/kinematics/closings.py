@@ -385,7 +385,6 @@ def unheld(leg: Never, room: str) -> NoReturn:
 def pair_of(closing: AnyClosing, leg: GuideLeg) -> Pair:
     """Return the sliding pair of a leg."""
     group = closing.group
-    if leg.inner and not isinstance(group, SquareGroup):
-        inner = (group.inner,) if isinstance(group, Group) else group.inner
-        return next(pair for pair in inner if leg.link in pair.links)
+    if leg.inner:
+        return next(pair for pair in group.inner_pairs if leg.link in pair.links)
     return next(k.pair for k in group.legs if k.link == leg.link)
