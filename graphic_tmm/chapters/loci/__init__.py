@@ -7,7 +7,7 @@ degree. The leg that was loosened leaves that pin a circle, or a guide: the plat
 circle meets the curve in twelve points at the most, of which six are at infinity, so there are up to six
 places; a guide meets it in up to six.
 
-The first pin is taken at 24 places, evenly all round, or, where it goes to and fro, the closer the nearer to
+The first pin is taken at 36 places, evenly all round, or, where it goes to and fro, the closer the nearer to
 the ends, so that the curve of both sides is one and smooth; where it goes all round the two sides have a curve
 each. From each crossing the plate is found back. The place of the mechanism itself is drawn heavy.
 

@@ -13,7 +13,7 @@ import numpy as np
 from graphic_tmm.board.geometry import wedge
 from graphic_tmm.board.values import Arc, Complexes, Line, Reals
 
-ROW = 24
+ROW = 36
 """So many places of the first pin the curve of the third is drawn by."""
 LEAST = 1e-6
 """By so much of the curve's points the sense is looked for in which it crosses."""
@@ -112,12 +112,23 @@ class Loosened:
         return b, c, b + (c - b) / self.apart * self.off
 
     def side(self, b: complex, c: complex) -> float:
-        """Return on which side the second pin is of the two where it can be."""
-        match self.locus:
-            case Arc(centre, _):
-                return math.copysign(1.0, float(wedge(np.asarray(centre - b), np.asarray(c - b))))
+        """Return on which side the second pin is of the two where it can be, seen from the first."""
+        return _side(self.locus, b, c)
+
+    def side_of(self, pins: tuple[complex, complex, complex], k: int) -> float:
+        """Return on which side the first or the second pin is, seen from the third."""
+        return _side((self.first, self.locus)[k], pins[2], pins[k])
+
+    def squarely(self, pins: tuple[complex, complex, complex], k: int) -> float:
+        """Return the sine of the angle at which an arc about the third pin crosses what holds another."""
+        locus, pin = (self.first, self.locus)[k], pins[k]
+        arm = (pin - pins[2]) / (abs(pin - pins[2]) or 1.0)
+        match locus:
+            case Arc(centre, radius):
+                normal = (pin - complex(centre)) / float(radius)
             case Line(_, along):
-                return math.copysign(1.0, ((c - b) * complex(along).conjugate()).real)
+                normal = 1j * complex(along)
+        return abs((arm.conjugate() * normal).imag)
 
     def outward(self, circuit: Circuit, knot: float) -> int:
         """Return in which sense the curve crosses what the third leg leaves its pin."""
@@ -129,3 +140,13 @@ class Loosened:
             case Line(_, along):
                 high = wedge(along, f)
         return 1 if high[1] > high[0] else -1
+
+
+def _side(locus: Arc | Line, start: complex, pin: complex) -> float:
+    """Return on which side a pin is of the two where an arc about a point crosses its locus."""
+    match locus:
+        case Arc(centre, _):
+            base = complex(centre) - start
+            return math.copysign(1.0, (base.conjugate() * (pin - start)).imag)
+        case Line(_, along):
+            return math.copysign(1.0, ((pin - start) * complex(along).conjugate()).real)

@@ -11,7 +11,6 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphic_tmm.board.draft import Draft
-from graphic_tmm.board.geometry import wedge
 from graphic_tmm.board.operations.curve import french_curve
 from graphic_tmm.board.operations.instruments import (
     cross,
@@ -38,9 +37,10 @@ from graphic_tmm.chapters.loci.operations import cross_arc, cross_guide
 from graphic_tmm.chapters.loci.task import ASKED, LOCI, LociTask
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
-from graphic_tmm.project import Bench, Plan
+from graphic_tmm.project import Bench, Plan, Project
 from graphic_tmm.project import record as recorded
 from graphic_tmm.scene.chapter import Recorded, aside
+from graphic_tmm.scene.records import Scene
 
 Pins = tuple[Mark, Mark, Mark]
 """The three pins of the plate in one of its places."""
@@ -95,7 +95,7 @@ def record(bench: Bench) -> Loci | None:
     order = ASKED.of(bench.scene)
     if order is None:
         return None
-    traced = recorded(bench.scene, wanted={POSITIONS})
+    traced = _positions(bench.scene)
     plans = KINEMATICS_PLAN.on(traced)
     tried = plans.tried
     closing = _plate(tried, order)
@@ -105,7 +105,8 @@ def record(bench: Bench) -> Loci | None:
     loosened, lies = _laid(tried, closing, coordinate)
     curves = [*loosened.circuits]
     places = [*_places(loosened, lies)]
-    if not places:
+    leg, plate = closing.branch.near(np.array([coordinate]))
+    if not places or not np.isfinite(plate).all():
         raise StructureError(
             said(
                 "link {plate} cannot be laid in position {at}: name another",
@@ -115,7 +116,6 @@ def record(bench: Bench) -> Loci | None:
             f"{LOCI}.at",
             head=LOCI,
         )
-    leg, plate = closing.branch.near(np.array([coordinate]))
     own = min(
         range(len(lies)),
         key=lambda k: sum(
@@ -170,6 +170,14 @@ def trace_place(bench: Bench) -> Mark:
     )
     pin = draft.draw(place, closing.pins[2], line, *lengths[1:], why=why.OF_TRIANGLE)
     return draft.draw(measure, f"{_pivot(closing)}{closing.pins[2]}", made.held[0][0], pin)
+
+
+def _positions(scene: Scene) -> Project:
+    """Record the plan of positions; what refuses it is told as it is, its place is found once."""
+    try:
+        return recorded(scene, wanted={POSITIONS})
+    except StructureError as error:
+        raise error.__cause__ or error from error
 
 
 def _pivot(closing: PlateClosing) -> str:
@@ -263,8 +271,7 @@ class _Drawing:
         draft, of = self.draft, self.of
         self.pivot = draft.take(Point, _pivot(self.closing), 0j)
         self.axis = draft.draw(ray, "(x)", self.pivot, draft.direction(0.0))
-        held = [self._held(k) for k in range(3)]
-        _, self.circle = held[0]
+        self.held = held = [self._held(k) for k in range(3)]
         curves = [self._curve(k, held) for k in range(len([*of.circuits]))]
         laid = [self._place(k, one, curves, held[2][1]) for k, one in enumerate(places, 1)]
         return tuple(held), tuple(curves), tuple(laid)
@@ -288,11 +295,7 @@ class _Drawing:
         return point, draft.draw(ray, f"({pin}–{pin})", point, angle)
 
     def _off(self, name: str, spot: complex) -> Mark:
-        x, y = (
-            self.draft.length(f"{a}_{{{name}}}", size)
-            for a, size in (("x", spot.real), ("y", spot.imag))
-        )
-        return self.draft.draw(place, name, self.axis, x, y)
+        return self.draft.draw(place, name, self.axis, *self._beside(name, spot))
 
     def _curve(self, k: int, held: list[tuple[Mark, Mark]]) -> Mark:
         """Draw the locus of the third pin on one of its curves."""
@@ -302,7 +305,7 @@ class _Drawing:
         way = draft.take(Angle, f"β{prime}", np.degrees(angles)[None, :], "°")
         side = draft.take(Side, "±", sides[None, :] if np.ptp(sides) else float(sides[0]))
         line = draft.draw(ray, f"({self.pivot.letter}{b})", self.pivot, way, why=why.ON_CIRCLE)
-        arm = draft.uses(self.circle)[1]
+        arm = draft.uses(held[0][1])[1]
         pin = draft.draw(lay_off, b, line, arm, why=why.ON_CIRCLE)
         apart = draft.length("".join(self.names[:2]), of.apart)
         arc = draft.draw(strike, f"({b}; {b}{c})", pin, apart, why=why.BY_ARCS)
@@ -311,36 +314,39 @@ class _Drawing:
         else:
             second = draft.draw(cut, c, held[1][1], arc, side, why=why.BY_ARCS)
         base = draft.draw(join, f"({b}{c})", pin, second)
-        x, y = (
-            draft.length(f"{a}_{{{self.names[2]}}}", size)
-            for a, size in (("x", of.off.real), ("y", of.off.imag))
-        )
-        third = draft.draw(place, f, base, x, y, why=why.OF_TRIANGLE)
+        off = self._beside(self.names[2], of.off)
+        third = draft.draw(place, f, base, *off, why=why.OF_TRIANGLE)
         return draft.draw(french_curve, f"({f}–{f})", third, row=ROW, why=why.LOCUS)
 
     def _place(self, k: int, one: _Place, curves: list[Mark], third: Mark) -> Pins:
         """Mark a crossing, and find the other pins of the plate back from it."""
-        draft, of, (b, c, f) = self.draft, self.of, self.names
+        draft, of, f = self.draft, self.of, self.names[2]
         op = cross_arc if isinstance(of.third, Arc) else cross_guide
         pin = draft.draw(
             op, f"{f}_{k}", curves[one.curve], third, after=one.after, outward=one.outward
         )
-        far = draft.length(f"{b}{f}", abs(of.off))
-        arc = draft.draw(strike, f"({f}_{k}; {b}{f})", pin, far, why=why.BACK)
-        spots, start = one.pins, complex(of.first.centre)
-        sign = math.copysign(
-            1.0, float(wedge(np.array(start - spots[2]), np.array(spots[0] - spots[2])))
-        )
-        first = draft.draw(
-            cross, f"{b}_{k}", arc, self.circle, draft.take(Side, "±", sign), why=why.BACK
-        )
-        base = draft.draw(join, f"({b}_{k}{f}_{k})", first, pin)
-        own = of.apart * of.off.conjugate() / abs(of.off)
+        near, second = (0, 1) if of.squarely(one.pins, 0) >= of.squarely(one.pins, 1) else (1, 0)
+        own = (0j, complex(of.apart))
+        arm, along = of.off - own[near], own[second] - own[near]
+        at, to = self.names[near], self.names[second]
+        far = draft.length(f"{at}{f}", abs(arm))
+        arc = draft.draw(strike, f"({f}_{k}; {at}{f})", pin, far, why=why.BACK)
+        side = draft.take(Side, "±", of.side_of(one.pins, near))
+        held = self.held[near][1]
+        op, both = (cross, (arc, held)) if held.kind is Arc else (cut, (held, arc))
+        first = draft.draw(op, f"{at}_{k}", *both, side, why=why.BACK)
+        base = draft.draw(join, f"({at}_{k}{f}_{k})", first, pin)
+        x, y = self._beside(to, along * arm.conjugate() / abs(arm))
+        other = draft.draw(place, f"{to}_{k}", base, x, y, why=why.OF_TRIANGLE)
+        return (first, other, pin) if near == 0 else (other, first, pin)
+
+    def _beside(self, name: str, spot: complex) -> tuple[Mark, Mark]:
+        """Return how far a point is along a line, and to the left of it."""
         x, y = (
-            draft.length(f"{a}_{{{c}}}", size) for a, size in (("x", own.real), ("y", own.imag))
+            self.draft.length(f"{a}_{{{name}}}", size)
+            for a, size in (("x", spot.real), ("y", spot.imag))
         )
-        second = draft.draw(place, f"{c}_{k}", base, x, y, why=why.OF_TRIANGLE)
-        return first, second, pin
+        return x, y
 
 
 PLAN = Plan(record=record, aside=trace_place)

@@ -19,6 +19,6 @@ BY_ARCS = said(
 )
 OF_TRIANGLE = said("The plate is rigid: its third pin stands on its triangle.")
 LOCUS = said("On two legs the plate has one freedom: its third pin goes on this curve.")
-BACK = said("The plate is rigid: from its third pin the first is found on the circle of its leg.")
+BACK = said("The plate is rigid: from its third pin another is found on what its leg leaves it.")
 
 WORDS = Named(captions=CAPTIONS, plans=(LOCI,), sources=("artobolevsky",))
