@@ -117,7 +117,7 @@ def _by_couple(writer: Writer, solved: Solved, heading: str, of: Sum) -> Iterato
     """Yield what turns a slider about its pin, the couple by which its guide holds that; what a plate bears."""
     yield Row(writer.summed(heading, of, solved.figure.mu), of.total)
     told, total = heading, of.total
-    backs = {step.uses[0]: step.it for step in writer.seen.steps if step.op is reversed_}
+    backs = {step.uses[0]: step.it for step in writer.seen.by_mark.values() if step.op is reversed_}
     while (couple := backs.get(total)) is not None:
         size = f"{writer.figure(couple)} {unit('N·m', writer.language)}"
         yield Row([f"{writer.letter(couple.name)} = {told} = {size}"], couple)

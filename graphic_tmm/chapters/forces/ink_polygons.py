@@ -95,7 +95,9 @@ class _Sides:
         """A reaction across the polygon; another one is a side, or was measured of one."""
         reaction = self.across.get(step.it)
         if reaction is not None:
-            yield from self.arrow(reaction.letter, reaction.tail, reaction.head, k, "medium")
+            ends = reaction.tail, reaction.head
+            pen = "main" if frozenset(ends) in self.laid else "medium"
+            yield from self.arrow(reaction.letter, *ends, k, pen)
 
     def met(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """The sides of unknown size, once their lines have met; these go on a little behind the vertex."""
@@ -130,7 +132,7 @@ class _Sides:
         """
         across = [(r.letter, r.tail, r.head) for r in self.across.values()]
         rests = (rod.rest for rod in self.rods if rod.rest is not None)
-        for side in (*polygon.sides, *polygon.inside, *across, *rests):
+        for side in dict.fromkeys((*polygon.sides, *polygon.inside, *across, *rests)):
             length = self.lengths.get(side[1:])
             yield side, 0.5, tuple(mark.slot for mark in (*side[1:], length) if mark is not None)
         for rod in self.rods:
