@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from graphic_tmm.board.geometry import cis
+from graphic_tmm.board.operations.slots import trace_on_guide_past, trace_past, trace_past_both
 from graphic_tmm.board.operations.tracing import (
     prick,
     trace,
@@ -66,6 +67,34 @@ def test_another_place_far_off_is_none() -> None:
     found = trace.run(*loci, leg, plate + 120.0)  # type: ignore[operator]
     turned = np.abs(np.angle(found.along / cis(plate + 120.0)))  # type: ignore[operator, arg-type]
     assert not np.nanmax(turned, initial=0.0) > np.radians(45.6)
+
+
+SLOTTED = {
+    "past": (trace_past, 1, 0),
+    "guide": (trace_on_guide_past, 1, 1),
+    "both": (trace_past_both, 2, 0),
+}
+
+
+@pytest.mark.parametrize("name", SLOTTED)
+def test_a_plate_is_laid_with_its_guides_where_they_pass(name: str) -> None:
+    op, slots, guides = SLOTTED[name]
+    (first, second, _, c, _, _, leg, plate), answer, _ = case(1 + guides)
+    assert isinstance(c, np.ndarray)
+    pivots = rng.uniform(-90, 90, (2, 1, N)) + 1j * rng.uniform(-90, 90, (2, 1, N))
+    bend = rng.uniform(0, 360, (1, N))
+    ways = cis(0.0 * bend) * answer.along, cis(bend) * answer.along
+    arms = [
+        (np.conj(way) * (pivot - answer.at)).imag for way, pivot in zip(ways, pivots, strict=True)
+    ]
+    if slots == 1:
+        found = op.run(first, second, pivots[1], c, arms[1], bend, leg, plate)
+    else:
+        found = op.run(first, *pivots, *arms, bend, leg, plate)
+    there = np.isfinite(found.along)
+    assert there.mean() > 0.9
+    off = np.abs(found.at - answer.at) + 90 * np.abs(found.along - answer.along)
+    assert (off[there] < 1e-9).mean() > 0.95
 
 
 def joined() -> tuple[list[np.ndarray], np.ndarray]:

@@ -67,7 +67,7 @@ def turned_by(direction: Complexes, angle: Reals) -> Complexes:
     return direction * vector((1.0 - square) / (1.0 + square), angle / (1.0 + square))
 
 
-def _corrected(
+def corrected(
     lies: Line,
     radius: Reals,
     c: Complexes,
@@ -99,7 +99,7 @@ def on_arcs(lies: Line, first: Arc, second: Arc, third: Arc, c: Complexes, f: Co
     at_c, at_f = b + c * lies.along, b + f * lies.along
     off = vector(arc_off(at_c, second), arc_off(at_f, third))
     at_second, at_third = arc_normal(at_c, second), arc_normal(at_f, third)
-    return _corrected(lies, first.radius, c, f, off, at_second, at_third)
+    return corrected(lies, first.radius, c, f, off, at_second, at_third)
 
 
 def on_guide(lies: Line, first: Arc, second: Arc, third: Line, c: Complexes, f: Complexes) -> Line:
@@ -108,7 +108,7 @@ def on_guide(lies: Line, first: Arc, second: Arc, third: Line, c: Complexes, f: 
     at_c, at_f = b + c * lies.along, b + f * lies.along
     off = vector(arc_off(at_c, second), line_off(at_f, third))
     normal = arc_normal(at_c, second)
-    return _corrected(lies, first.radius, c, f, off, normal, third.along * 1j)
+    return corrected(lies, first.radius, c, f, off, normal, third.along * 1j)
 
 
 def on_guides(
@@ -117,7 +117,7 @@ def on_guides(
     """Return how a plate lies after one correction, two of its points on guides."""
     b = first.centre + first.radius * lies.at
     off = vector(line_off(b + c * lies.along, second), line_off(b + f * lies.along, third))
-    return _corrected(lies, first.radius, c, f, off, second.along * 1j, third.along * 1j)
+    return corrected(lies, first.radius, c, f, off, second.along * 1j, third.along * 1j)
 
 
 class Square(NamedTuple):
@@ -192,7 +192,7 @@ def square_size(square: Square) -> Reals:
     return np.abs(square.c1) + np.abs(square.c2) + np.abs(square.b1) + np.abs(square.b2)
 
 
-def _pricked(
+def pricked(
     start: Complexes, size: Reals, lies: Line, near: Line, off: Complexes, alike: Reals
 ) -> Line:
     """Return the plate's own line; NaN where its points are off their loci, or it went to another place.
@@ -240,7 +240,7 @@ def trace(
     second_normal = arc_normal(begun + c * near.along, second)
     third_normal = arc_normal(begun + f * near.along, third)
     alike = there * held(near, c, f, second_normal, third_normal)
-    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
+    return pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -272,7 +272,7 @@ def trace_on_guide(
     there = held(lies, c, f, arc_normal(at_c, second), way)
     begun = first.centre + first.radius * near.at
     alike = there * held(near, c, f, arc_normal(begun + c * near.along, second), way)
-    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
+    return pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -303,7 +303,7 @@ def trace_on_guides(
     second_normal, third_normal = second.along * 1j, third.along * 1j
     there = held(lies, c, f, second_normal, third_normal)
     alike = there * held(near, c, f, second_normal, third_normal)
-    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
+    return pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
 
 
 @operation(
@@ -352,7 +352,7 @@ def trace_joined(
     lies = on_links(lies, square)
     alike = square_held(square, lies) * square_held(square, near)
     off = square_off(square, lies)
-    return _pricked(at + 0.0 * lies.along, square_size(square), lies, near, off, alike)
+    return pricked(at + 0.0 * lies.along, square_size(square), lies, near, off, alike)
 
 
 @operation(symbol=FREE, why=said("The first of the three points stands where the line begins."))

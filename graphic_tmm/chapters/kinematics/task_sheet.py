@@ -29,7 +29,6 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.mechanism.groups import Group
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.lettering.markup import markup
@@ -90,7 +89,7 @@ def _extra(scene: Scene, language: str) -> Iterator[str]:
 def _laid(scene: Scene, language: str) -> Iterator[str]:
     """Say which of its places a plate keeps: how its line stands where the mechanism is shown."""
     mechanism = scene.mechanism
-    if mechanism is None or all(isinstance(one, Group) for one in dissect(mechanism).groups):
+    if mechanism is None or not any(one.plates for one in dissect(mechanism).groups):
         return
     pose = posed(scene)
     at = pose.project.coordinates[0]
