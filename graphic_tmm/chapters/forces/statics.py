@@ -259,8 +259,9 @@ def _balance(
     for leg, pin, links, borne in hinged:
         forces = [force for link in links for force in acting.forces.get(link, [])]
         couples = [couple for link in links for couple in acting.couples.get(link, [])]
-        total = figure.sum(pin, [*forces, *borne], couples, f"ΣM_{leg.link}")
-        turning[leg.link] = total
+        turning[leg.link] = figure.sum(pin, [*forces, *borne], couples, f"ΣM_{leg.link}")
+    for leg, pin, *_ in hinged:
+        total = turning[leg.link]
         if isinstance(leg, PinLeg) and total is not None:
             letter = f"R_{{{leg.body}{links_of(leg)[0]}}}^{{t}}"
             reach = figure.length(leg.pivot, pin)
