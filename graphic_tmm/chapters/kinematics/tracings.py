@@ -35,6 +35,8 @@ from graphic_tmm.mechanism.records import Link
 
 Loci = Sequence[Any]
 """What stands when it is laid, at a row of coordinates: the loci of three pins, or both pivots."""
+GUIDE = 0.2
+"""A guide is outlined to either side of its pin for this share of the leg and the plate."""
 CORRECTIONS = on_arcs, on_guide, on_guides
 """A correction of how a plate lies, by how many of its pins are on guides."""
 
@@ -72,6 +74,9 @@ class Tracing(Protocol):
 
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return which of what holds it cross most squarely."""
+
+    def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
+        """Return the group as it lies there, in lines from point to point, m."""
 
 
 @dataclass(frozen=True)
@@ -118,6 +123,19 @@ class PlateTracing:
             for a, b in combinations(range(3), 2)
         }
         return max(least, key=lambda two: round(least[two], 9))
+
+    def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
+        """Return the plate and its legs, of one that slides a piece of the guide."""
+        b = loci[0].centre + loci[0].radius * lies.at
+        pins = [complex(np.ravel(pin)[0]) for pin in (b, *self._pins(loci, lies))]
+        way = GUIDE * float(np.ravel(self.size(loci))[0])
+        legs = [
+            (complex(np.ravel(locus.centre)[0]), pin)
+            if isinstance(locus, Arc)
+            else tuple(pin + sign * way * complex(np.ravel(locus.along)[0]) for sign in (-1, 1))
+            for pin, locus in zip(pins, loci, strict=True)
+        ]
+        return (*pins, pins[0]), *legs
 
     def _sizes(self) -> tuple[Complexes, Complexes]:
         return np.array([[complex(self.second)]]), np.array([[self.third]])
@@ -168,6 +186,18 @@ class SquareTracing:
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return the two links: there are no others."""
         return 0, 1
+
+    def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
+        """Return both plates and the links that join them."""
+        to, at = (complex(np.ravel(pivot)[0]) for pivot in loci)
+        other, told = (complex(np.ravel(way)[0]) for way in lies)
+        b1, b2, c1, c2 = (
+            pivot + one * way
+            for one, (pivot, way) in zip(
+                self.own, ((to, other), (to, other), (at, told), (at, told)), strict=True
+            )
+        )
+        return (to, b1, b2, to), (at, c1, c2, at), (b1, c1), (b2, c2)
 
     def _square(self, loci: Loci) -> Square:
         b1, b2, c1, c2 = (np.array([[one]]) for one in self.own)
