@@ -135,9 +135,9 @@ MISTAKES = {
         "(BC) was laid in another of its places, at position 3 only",
     ),
     "the third leg too long": Mistake(
-        put(size={**LENGTHS, "EF": 0.22}),
+        put(size={**LENGTHS, "EF": 0.235}),
         {(P, "F")},
-        "l_EF, which is given, was taken 1.1 times as large",
+        "l_EF, which is given, was taken 1.17",
     ),
     "plate mirrored": Mistake(put(places=mirrored), {(P, "F")}),
     "a leg too long": Mistake(
