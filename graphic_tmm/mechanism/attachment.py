@@ -94,21 +94,22 @@ class Attachment:
                 yield self._plate(plate, legs)
 
     def _plate(self, plate: int, found: Sequence[tuple[int, Pair]]) -> PlateGroup:
-        sliding = [number for number, inner in found if inner.kind == "P"]
-        guides = [number for number, _ in found if self.outer[number][0].kind == "P"]
-        if sliding or len(guides) == 3:
+        kinds = {n: (inner.kind == "P", self.outer[n][0].kind == "P") for n, inner in found}
+        sliding = [number for number, one in kinds.items() if all(one)]
+        if sliding or all(any(one) for one in kinds.values()):
+            listed = sliding or [number for number, _ in found]
             raise StructureError(
                 said(
-                    "links {names} and {plate} make a group of class III: this board draws it where each of "
-                    "the three has a turning pair with link {plate}, and one of them turns about what stands "
-                    "already; links {listed} do not",
+                    "links {names} and {plate} make a group of class III: this board draws it where one of the "
+                    "three has turning pairs alone, and each of the others at most one sliding pair; links "
+                    "{listed} do not",
                     names=", ".join(str(number) for number, _ in found),
                     plate=plate,
-                    listed=", ".join(map(str, sliding or guides)),
+                    listed=", ".join(map(str, listed)),
                 ),
-                *(f"link {number}, slides" for number in sliding or guides),
+                *(f"link {number}, slides" for number in listed),
             )
-        first, second, third = sorted(found, key=lambda one: (one[0] in guides, one[0]))
+        first, second, third = sorted(found, key=lambda one: (*kinds[one[0]], one[0]))
         legs = tuple(
             Leg(number, self.outer[number][0].other(number), self.outer[number][0])
             for number, _ in (first, second, third)

@@ -18,6 +18,7 @@ from graphic_tmm.chapters.kinematics.closings import Branch
 from graphic_tmm.chapters.kinematics.tracings import Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels
 from graphic_tmm.mechanism.groups import PlateGroup
+from graphic_tmm.mechanism.guides import direction
 from graphic_tmm.mechanism.records import Guide, Link, Mechanism, Near, Side, Slide, Sweep
 from graphic_tmm.mechanism.structure import dissect
 from support.mechanisms import Pose, Sampled, assemble
@@ -93,39 +94,50 @@ class _Sheet:
         return letter
 
     def slide(self, number: int, on: int, pin: str) -> None:
-        """Let a link slide on a guide of a body through, or beside, its pin."""
+        """Let a link slide on a guide of a body through, or beside, a pin."""
         body, way = self.bodies[on], self.source.uniform(-math.pi, math.pi)
         at = self.near(self.places[pin], 0.0, 0.5)
         turned = math.degrees(way - self.poses[on][2])
-        name = f"q{number}"
+        name = f"q{number}" if not self.bodies[number].slides else f"q{number}{on}"
         guide = Guide(name, self.own(on, at), turned)
         self.bodies[on] = replace(body, guides=(*body.guides, guide))
         x, y, own = self.poses[number]
         offset = ((complex(x, y) - at) * cmath.rect(1.0, -way)).imag
         slide = Slide(on, guide, offset, math.degrees(own - way))
-        self.bodies[number] = replace(self.bodies[number], slides=(slide,))
+        self.bodies[number] = replace(
+            self.bodies[number], slides=(*self.bodies[number].slides, slide)
+        )
 
-    def normal(self, number: int, pin: str, pivot: str) -> complex:
-        """The direction along which a leg holds its pin."""
+    def normal(self, number: int, pin: str, pivot: str, plate: int) -> complex:
+        """The direction along which a leg holds its pin, or a plate that slides along it."""
         if pivot:
             way = self.places[pin] - self.places[pivot]
             return way / abs(way)
-        (slide,) = self.bodies[number].slides
+        slide = next(
+            one
+            for k in (number, plate)
+            if k
+            for one in self.bodies[k].slides
+            if k == number or one.on == number
+        )
         angle = math.radians(slide.guide.angle) + self.poses[slide.on][2]
         return 1j * cmath.rect(1.0, angle)
 
 
-def held_plate(seed: int, guides: int = 0, behind: int = 0) -> Held:
-    """Draw one of a seed: a plate of which so many legs slide, with so many dyads hung behind it."""
+def held_plate(seed: int, guides: int = 0, behind: int = 0, slots: int = 0) -> Held:
+    """Draw one of a seed: so many legs of a plate slide, so many along it; so many dyads hang behind it."""
     source = random.Random(seed)
     while True:
         drawn = assemble(lambda most: source.randint(0, most), (1, 1))
-        found = _with_plate(drawn, source, guides, behind)
+        found = _with_plate(drawn, source, (guides, slots), behind)
         if found is not None:
             return found
 
 
-def _with_plate(drawn: Sampled, source: random.Random, guides: int, behind: int) -> Held | None:
+def _with_plate(
+    drawn: Sampled, source: random.Random, sliders: tuple[int, int], behind: int
+) -> Held | None:
+    guides, slots = sliders
     mechanism = drawn.mechanism
     frame = mechanism.frame.number
     x, y, _ = drawn.poses[1]
@@ -139,8 +151,9 @@ def _with_plate(drawn: Sampled, source: random.Random, guides: int, behind: int)
     plate, legs = numbers[0], sorted(numbers[1:])
     middle = sheet.near(drawn.points["A"], 0.5, 2.0)
     pins = [sheet.letter(sheet.near(middle, 0.4, 1.4)) for _ in legs]
-    sheet.put(plate, *pins)
     sliding = source.sample(legs, guides)
+    slotted = source.sample([leg for leg in legs if leg not in sliding], slots)
+    sheet.put(plate, *(pin for leg, pin in zip(legs, pins, strict=True) if leg not in slotted))
     bodies = [source.choice(there) for _ in legs]
     if set(bodies) == {frame}:
         return None
@@ -150,15 +163,23 @@ def _with_plate(drawn: Sampled, source: random.Random, guides: int, behind: int)
             sheet.put(leg, pin)
             sheet.slide(leg, body, pin)
             pivots.append("")
+        elif leg in slotted:
+            pivots.append("")
+            sheet.mark(body, pin)
+            sheet.put(leg, pin)
+            sheet.slide(*((leg, plate) if source.random() < 0.6 else (plate, leg)), pin)
         else:
             pivots.append(sheet.pivot(body, sheet.places[pin]))
             sheet.put(leg, pivots[-1], pin)
     ways = {
-        leg: (sheet.places[pin], sheet.normal(leg, pin, pivot))
+        leg: (sheet.places[pin], sheet.normal(leg, pin, pivot, plate if leg in slotted else 0))
         for leg, pin, pivot in zip(legs, pins, pivots, strict=True)
     }
     rows = [[u.real, u.imag, ((p - middle).conjugate() * u).imag / size] for p, u in ways.values()]
-    if abs(np.linalg.det(np.array(rows))) < SQUARE or len({p for p in pivots if p}) < 3 - guides:
+    if (
+        abs(np.linalg.det(np.array(rows))) < SQUARE
+        or len({p for p in pivots if p}) < 3 - guides - slots
+    ):
         return None
     for _ in range(behind):
         _hang(sheet, source.choice([plate, *legs]), source.choice(there))
@@ -181,9 +202,13 @@ def _with_plate(drawn: Sampled, source: random.Random, guides: int, behind: int)
     first = dict(zip(legs, zip(pins, pivots, strict=True), strict=True))
     pin, pivot = first[order[0]]
     second, _ = first[order[1]]
+    along_plate = sheet.places[second] - sheet.places[pin]
+    if group.inner[1].kind == "P":
+        turned = math.radians(direction(group.inner[1], plate)) + sheet.poses[plate][2]
+        along_plate = cmath.rect(1.0, turned)
     near = [
         math.degrees(cmath.phase(sheet.places[pin] - sheet.places[pivot])),
-        math.degrees(cmath.phase(sheet.places[second] - sheet.places[pin])),
+        math.degrees(cmath.phase(along_plate)),
     ]
     at = np.array([drawn.phi - 1.0, drawn.phi + 1.0])
     sweep = Sweep("φ", "°", 0.0, 360.0, True)

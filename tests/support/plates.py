@@ -144,12 +144,8 @@ class Bodies:
             if body == 0:
                 return 0j, 0j, 0.0, 0.0
             at = 3 * body - 3
-            return (
-                complex(*q[at : at + 2]),
-                complex(*v[at : at + 2]),
-                float(q[at + 2]),
-                float(v[at + 2]),
-            )
+            place, speed = (complex(*row[at : at + 2]) for row in (q, v))
+            return place, speed, float(q[at + 2]), float(v[at + 2])
 
         for pin in self.pins:
             gain = 0j
@@ -203,6 +199,8 @@ class Assembly:
         self.letters: dict[tuple[str, int], complex] = {("A", 1): complex(crank)}
         self.lines: dict[int, list[str]] = {}
         self.held = [("A", 1)]
+        self.rails: dict[int, list[str]] = {}
+        self.slides: dict[int, list[str]] = {}
         self.tables: list[str] = []
 
     def some(self, low: float, high: float) -> float:
@@ -271,7 +269,9 @@ class Assembly:
                 for (letter, on), z in self.letters.items()
                 if on == k
             )
-            more = "".join(f"{one}\n" for one in self.lines.get(k, []))
+            rails = [f"guides = {{ {', '.join(found)} }}" for found in [self.rails.get(k)] if found]
+            slides = [f"slides = [{', '.join(found)}]" for found in [self.slides.get(k)] if found]
+            more = "".join(f"{one}\n" for one in (*self.lines.get(k, []), *rails, *slides))
             tables.append(f"[[link]]\nnumber = {k}\npoints = {{ {points} }}\n{more}")
         tables.append('[drive]\nlink = 1\nspeed = 10\npositions = 12\naccelerations = "all"\n')
         tables += self.tables
@@ -279,11 +279,13 @@ class Assembly:
         return Machine("\n".join(tables), self.bodies, self.letters, self.phi, numbers)
 
 
-def machine(seed: int, *, guides: int = 0, before: bool = False, behind: bool = False) -> Machine:
+def machine(
+    seed: int, *, guides: int = 0, slots: int = 0, before: bool = False, behind: bool = False
+) -> Machine:
     """Return a random mechanism with a plate, laid at some angle of its crank.
 
-    ``guides``: so many legs slide; ``before``: one leg is held by a dyad on the crank; ``behind``: a dyad hangs
-    on the plate.
+    ``guides``: so many legs slide; ``slots``: so many slide along the plate, behind these; ``before``: one leg
+    is held by a dyad on the crank; ``behind``: a dyad hangs on the plate.
     """
     one = Assembly(seed)
     world = one.world
@@ -296,12 +298,13 @@ def machine(seed: int, *, guides: int = 0, before: bool = False, behind: bool = 
         world[letter] = middle + size * one.some(0.6, 1.4) * cmath.exp(1j * (turn + 2.1 * k))
     angle = 2 * math.pi * one.some(0, 1)
     legs = []
-    for k, letter in enumerate("BCF"):
+    pins = "BCF"[: 3 - slots]
+    for k, letter in enumerate(pins):
         if k < len(one.held):
             outer, on = one.held[-1 - k]
             leg = one.rod(outer, letter)
             one.pin(outer, leg, on)
-        elif k >= 3 - guides:
+        elif k >= len(pins) - guides:
             leg = _sliding(one, letter, f"q{k}")
         else:
             outer = "DE"[k - 1]
@@ -311,8 +314,13 @@ def machine(seed: int, *, guides: int = 0, before: bool = False, behind: bool = 
         legs.append(leg)
     plate = one.link(world["B"], angle, "BCF")
     one.near(plate, angle)
-    for leg, letter in zip(legs, "BCF", strict=True):
+    for leg, letter in zip(legs, pins, strict=True):
         one.pin(letter, leg, plate)
+    for k in range(len(pins), 3):
+        outer, on = one.held[0] if before and k == len(pins) else ("DE"[k - 1], 0)
+        if on == 0:
+            one.fix(outer, world["BCF"[k]] + one.polar(0.0, 0.1))
+        _slotted(one, plate, outer, on, f"s{k}")
     if behind:
         one.dyad("F", plate, "K", "M", (0.1, 0.2))
     return one.machine("Plate")
@@ -328,6 +336,31 @@ def _sliding(one: Assembly, letter: str, name: str) -> int:
     one.bodies.guides.append(Guide(leg, 0j, 0, through, math.radians(way)))
     one.lines[leg] = [f'slides = {{ on = "frame", along = "{name}" }}']
     return leg
+
+
+def _slotted(one: Assembly, plate: int, outer: str, on: int, name: str) -> None:
+    """Put a link about a pivot that slides along the plate, or the plate along it."""
+    place = one.world[outer]
+    start, through = place + one.polar(0.0, 0.03), place + one.polar(0.0, 0.05)
+    leg = one.link(start, 2 * math.pi * one.some(0, 1), outer)
+    one.pin(outer, leg, on)
+    way = 2 * math.pi * one.some(0, 1)
+    slider, owner = (leg, plate) if one.chance.random() < 0.6 else (plate, leg)
+    at, angle = one.bodies.poses[owner]
+    own, bend = (through - at) * cmath.exp(-1j * angle), way - angle
+    start, angle = one.bodies.poses[slider]
+    off = (start - through) * cmath.exp(-1j * way)
+    foot = through + off.real * cmath.exp(1j * way)
+    point = (foot - start) * cmath.exp(-1j * angle)
+    one.bodies.guides.append(Guide(slider, point, owner, own, bend))
+    one.rails.setdefault(owner, []).append(
+        f"{name} = {{ through = [{own.real!r}, {own.imag!r}], "
+        f'angle = "{math.degrees(bend)!r} deg" }}'
+    )
+    one.slides.setdefault(slider, []).append(
+        f'{{ on = {owner}, along = "{name}", offset = {off.imag!r}, '
+        f'angle = "{math.degrees(angle - way)!r} deg" }}'
+    )
 
 
 def _frame(frame: dict[str, complex]) -> list[str]:

@@ -67,7 +67,7 @@ def turned_by(direction: Complexes, angle: Reals) -> Complexes:
     return direction * vector((1.0 - square) / (1.0 + square), angle / (1.0 + square))
 
 
-def _corrected(
+def corrected(
     lies: Line,
     radius: Reals,
     c: Complexes,
@@ -99,7 +99,7 @@ def on_arcs(lies: Line, first: Arc, second: Arc, third: Arc, c: Complexes, f: Co
     at_c, at_f = b + c * lies.along, b + f * lies.along
     off = vector(arc_off(at_c, second), arc_off(at_f, third))
     at_second, at_third = arc_normal(at_c, second), arc_normal(at_f, third)
-    return _corrected(lies, first.radius, c, f, off, at_second, at_third)
+    return corrected(lies, first.radius, c, f, off, at_second, at_third)
 
 
 def on_guide(lies: Line, first: Arc, second: Arc, third: Line, c: Complexes, f: Complexes) -> Line:
@@ -108,7 +108,7 @@ def on_guide(lies: Line, first: Arc, second: Arc, third: Line, c: Complexes, f: 
     at_c, at_f = b + c * lies.along, b + f * lies.along
     off = vector(arc_off(at_c, second), line_off(at_f, third))
     normal = arc_normal(at_c, second)
-    return _corrected(lies, first.radius, c, f, off, normal, third.along * 1j)
+    return corrected(lies, first.radius, c, f, off, normal, third.along * 1j)
 
 
 def on_guides(
@@ -117,7 +117,7 @@ def on_guides(
     """Return how a plate lies after one correction, two of its points on guides."""
     b = first.centre + first.radius * lies.at
     off = vector(line_off(b + c * lies.along, second), line_off(b + f * lies.along, third))
-    return _corrected(lies, first.radius, c, f, off, second.along * 1j, third.along * 1j)
+    return corrected(lies, first.radius, c, f, off, second.along * 1j, third.along * 1j)
 
 
 class Square(NamedTuple):
@@ -138,42 +138,53 @@ class Square(NamedTuple):
     l2: Reals
 
 
+def first_joined(square: Square, lies: Line) -> Arc:
+    """Return the arc of the first link about its pin on the plate about ``to``."""
+    return Arc(square.to + square.b1 * lies.at, square.l1)
+
+
+def second_joined(square: Square, lies: Line) -> Arc:
+    """Return the arc of the second link about its pin on the plate about ``to``."""
+    return Arc(square.to + square.b2 * lies.at, square.l2)
+
+
 def square_off(square: Square, lies: Line) -> Complexes:
-    """Return how far the ends of both links, held at one plate, are outside the pins of the other."""
-    first, second = square_arcs(square, lies)
+    """Return how far the pins of the plate about ``at`` are outside the arcs of both links."""
     at_c1, at_c2 = square.at + square.c1 * lies.along, square.at + square.c2 * lies.along
-    return vector(arc_off(at_c1, first), arc_off(at_c2, second))
-
-
-def square_arcs(square: Square, lies: Line) -> tuple[Arc, Arc]:
-    """Return the arcs of both links about their pins on the plate about ``to``."""
-    b1, b2 = square.to + square.b1 * lies.at, square.to + square.b2 * lies.at
-    return Arc(b1, square.l1), Arc(b2, square.l2)
-
-
-def square_grows(square: Square, lies: Line) -> tuple[Reals, Reals, Reals, Reals]:
-    """Return how the first link would grow as each plate turns, by ``at`` and ``along``; then the second."""
-    first, second = square_arcs(square, lies)
-    n1 = arc_normal(square.at + square.c1 * lies.along, first)
-    n2 = arc_normal(square.at + square.c2 * lies.along, second)
-    swing, turn = lies.at * 1j, lies.along * 1j
-    return (
-        -along(square.b1 * swing, n1),
-        along(square.c1 * turn, n1),
-        -along(square.b2 * swing, n2),
-        along(square.c2 * turn, n2),
+    return vector(
+        arc_off(at_c1, first_joined(square, lies)), arc_off(at_c2, second_joined(square, lies))
     )
+
+
+def grows(pins: Complexes, others: Complexes, along_it: Complexes) -> Complexes:
+    """Return how a link would grow as the plate about ``to`` turns; imaginary, as that about ``at`` does."""
+    return vector(-along(pins * 1j, along_it), along(others * 1j, along_it))
+
+
+def first_grows(square: Square, lies: Line) -> Complexes:
+    """Return how the first link would grow as the plates turn, see `grows`."""
+    c1 = square.c1 * lies.along
+    way = arc_normal(square.at + c1, first_joined(square, lies))
+    return grows(square.b1 * lies.at, c1, way)
+
+
+def second_grows(square: Square, lies: Line) -> Complexes:
+    """Return how the second link would grow as the plates turn, see `grows`."""
+    c2 = square.c2 * lies.along
+    way = arc_normal(square.at + c2, second_joined(square, lies))
+    return grows(square.b2 * lies.at, c2, way)
 
 
 def square_held(square: Square, lies: Line) -> Reals:
     """Return how well the plates are held, per area: 0 where they can move."""
-    first_at, first_along, at, along_ = square_grows(square, lies)
-    return first_at * along_ - at * first_along
+    return wedge(first_grows(square, lies), second_grows(square, lies))
 
 
 def on_links(lies: Line, square: Square) -> Line:
     """Return how two plates lie after one correction, joined by two links."""
-    return _both_turned(lies, square_off(square, lies), *square_grows(square, lies))
+    one, two = first_grows(square, lies), second_grows(square, lies)
+    off = square_off(square, lies)
+    return _both_turned(lies, off, one.real, one.imag, two.real, two.imag)
 
 
 def square_size(square: Square) -> Reals:
@@ -181,7 +192,7 @@ def square_size(square: Square) -> Reals:
     return np.abs(square.c1) + np.abs(square.c2) + np.abs(square.b1) + np.abs(square.b2)
 
 
-def _pricked(
+def pricked(
     start: Complexes, size: Reals, lies: Line, near: Line, off: Complexes, alike: Reals
 ) -> Line:
     """Return the plate's own line; NaN where its points are off their loci, or it went to another place.
@@ -229,7 +240,7 @@ def trace(
     second_normal = arc_normal(begun + c * near.along, second)
     third_normal = arc_normal(begun + f * near.along, third)
     alike = there * held(near, c, f, second_normal, third_normal)
-    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
+    return pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -261,7 +272,7 @@ def trace_on_guide(
     there = held(lies, c, f, arc_normal(at_c, second), way)
     begun = first.centre + first.radius * near.at
     alike = there * held(near, c, f, arc_normal(begun + c * near.along, second), way)
-    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
+    return pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -292,7 +303,7 @@ def trace_on_guides(
     second_normal, third_normal = second.along * 1j, third.along * 1j
     there = held(lies, c, f, second_normal, third_normal)
     alike = there * held(near, c, f, second_normal, third_normal)
-    return _pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
+    return pricked(b, first.radius + np.abs(c) + np.abs(f), lies, near, off, alike)
 
 
 @operation(
@@ -341,7 +352,7 @@ def trace_joined(
     lies = on_links(lies, square)
     alike = square_held(square, lies) * square_held(square, near)
     off = square_off(square, lies)
-    return _pricked(at + 0.0 * lies.along, square_size(square), lies, near, off, alike)
+    return pricked(at + 0.0 * lies.along, square_size(square), lies, near, off, alike)
 
 
 @operation(symbol=FREE, why=said("The first of the three points stands where the line begins."))

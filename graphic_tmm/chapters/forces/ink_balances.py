@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Iterator
 
 from graphic_tmm.board.operations.formulas import in_si
-from graphic_tmm.board.operations.statics import tangential
+from graphic_tmm.board.operations.statics import reversed_, tangential
 from graphic_tmm.board.record import Mark
 from graphic_tmm.chapters.forces.detached import Polygon, Reaction
 from graphic_tmm.chapters.forces.driving import Driven
@@ -73,6 +73,8 @@ def _leg_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
             continue
         heading, of = _heading(hinged), _bearing(_sum(made, solved, total), hinged.forces)
         tangent = solved.tangents.get(leg.link)
+        for force in hinged.forces:
+            yield from _turned(writer, force)
         if tangent is not None:
             sought = Sought(tangent.letter, tangent.value, tangent.arm, -1, "N")
             for parts in writer.sought(heading, of, sought, solved.figure.mu):
@@ -80,7 +82,7 @@ def _leg_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
         elif solved.special is None:
             yield from _guided(writer, solved, heading, of)
         else:
-            yield from _by_couple(writer, solved, heading, of, leg.link)
+            yield from _by_couple(writer, solved, heading, of)
     yield from _third_rows(writer, made, solved)
 
 
@@ -88,6 +90,15 @@ def _heading(hinged: Hinged) -> str:
     """Return what a sum of moments of a leg is called: by its inner end, and its links."""
     links = ",".join(map(str, hinged.links))
     return f"ΣM_{{{hinged.pin.name}}}^{{({links})}}"
+
+
+def _turned(writer: Writer, force: Force) -> Iterator[Row]:
+    """Yield what a link does to a plate where that is the reverse of what was found before."""
+    step = writer.seen.by_mark[force.value]
+    if step.op is reversed_:
+        found = f"−{writer.letter(step.uses[0].name)}"
+        told = f"{writer.signed(force.value)} {unit('N', writer.language)}"
+        yield Row([f"{writer.letter(force.letter)} = {found} = {told}"], force.value)
 
 
 def _bearing(of: Sum, forces: Iterable[Force]) -> Sum:
@@ -102,13 +113,15 @@ def _sum(made: Forces, solved: Solved, total: Mark) -> Sum:
     return Sum(total, *_names(made, (*group.links, *group.rods)))
 
 
-def _by_couple(writer: Writer, solved: Solved, heading: str, of: Sum, link: int) -> Iterator[Row]:
-    """Yield what turns a slider about its pin, and the couple by which its guide holds that."""
-    assert solved.special is not None
-    couple = next(one.value for one in solved.special.couples if one.link == link)
+def _by_couple(writer: Writer, solved: Solved, heading: str, of: Sum) -> Iterator[Row]:
+    """Yield what turns a slider about its pin, the couple by which its guide holds that; what a plate bears."""
     yield Row(writer.summed(heading, of, solved.figure.mu), of.total)
-    told = f"{writer.figure(couple)} {unit('N·m', writer.language)}"
-    yield Row([f"{writer.letter(couple.name)} = {heading} = {told}"], couple)
+    told, total = heading, of.total
+    backs = {step.uses[0]: step.it for step in writer.seen.by_mark.values() if step.op is reversed_}
+    while (couple := backs.get(total)) is not None:
+        size = f"{writer.figure(couple)} {unit('N·m', writer.language)}"
+        yield Row([f"{writer.letter(couple.name)} = {told} = {size}"], couple)
+        told, total = writer.letter(couple.name), couple
 
 
 def _third_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:

@@ -62,9 +62,14 @@ class _Sides:
         mu: float,
     ) -> None:
         self.seen, self.rods, self.mu = seen, rods, mu
-        ends = {(tail, head) for _, tail, head in (*polygon.sides, *polygon.inside)}
+        known = [{seen.by_mark[step.uses[0]].uses[0], head} for head, step in self.own.items()]
+        # what holds a leg that slides along a plate is a side too: it lies across what was laid off there
+        laid = [s for s in polygon.sides if s[2] not in self.own or {*s[1:]} in known]
+        ends = {(tail, head) for _, tail, head in (*laid, *polygon.inside)}
         self.across = {r.length: r for r in reactions if (r.tail, r.head) not in ends}
-        self.laid = {frozenset(side[1:]): side for side in (*polygon.sides, *polygon.inside)}
+        # of two plates one side is laid off from its head
+        self.laid = {side[:0:-1]: side for side in polygon.inside}
+        self.laid |= {side[1:]: side for side in (*polygon.sides, *polygon.inside)}
         self.inside = set(polygon.inside)
         self.found = [side for side in polygon.sides if side[2] not in self.own]
         self.closes = not any(step.op is meet for step in seen.steps)
@@ -72,7 +77,6 @@ class _Sides:
         late = closing if self.closes else self.across.values()
         self.lengths = {(r.tail, r.head): r.length for r in late}
         self.split = [side for rod in rods if rod.rest for side in (rod.side, rod.rest)]
-        known = [{seen.by_mark[step.uses[0]].uses[0], head} for head, step in self.own.items()]
         self.split += [one for one in polygon.inside if {*one[1:]} not in known]
 
     @property
@@ -83,7 +87,7 @@ class _Sides:
     def side(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """A known side, laid off; its arrow."""
         start = seen.by_mark[step.uses[0]].uses[0]
-        side = self.laid.get(frozenset((start, step.it)))
+        side = self.laid.get((start, step.it))
         if side is not None:
             yield from self.arrow(*side, k, "thin" if side in self.inside else "main")
 
@@ -91,7 +95,9 @@ class _Sides:
         """A reaction across the polygon; another one is a side, or was measured of one."""
         reaction = self.across.get(step.it)
         if reaction is not None:
-            yield from self.arrow(reaction.letter, reaction.tail, reaction.head, k, "medium")
+            ends = reaction.tail, reaction.head
+            pen = "main" if {ends, ends[::-1]} & self.laid.keys() else "medium"
+            yield from self.arrow(reaction.letter, *ends, k, pen)
 
     def met(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """The sides of unknown size, once their lines have met; these go on a little behind the vertex."""
@@ -126,7 +132,7 @@ class _Sides:
         """
         across = [(r.letter, r.tail, r.head) for r in self.across.values()]
         rests = (rod.rest for rod in self.rods if rod.rest is not None)
-        for side in (*polygon.sides, *polygon.inside, *across, *rests):
+        for side in dict.fromkeys((*polygon.sides, *polygon.inside, *across, *rests)):
             length = self.lengths.get(side[1:])
             yield side, 0.5, tuple(mark.slot for mark in (*side[1:], length) if mark is not None)
         for rod in self.rods:

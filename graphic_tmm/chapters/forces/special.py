@@ -27,10 +27,12 @@ from graphic_tmm.chapters.forces.unknowns import (
     unknown_line,
 )
 from graphic_tmm.chapters.kinematics.closings import (
+    AnyClosing,
     ClosingLeg,
     GuideLeg,
     PinLeg,
     PlateClosing,
+    SpecialClosing,
     SquareClosing,
 )
 
@@ -61,6 +63,24 @@ class Special(NamedTuple):
     third: Third | None = None
 
 
+def solve_special(
+    figure: Detached,
+    closing: AnyClosing,
+    acting: Acting,
+    slopes: Slopes,
+    turning: Mapping[int, Mark | None],
+    tangents: Mapping[int, Tangent],
+) -> tuple[Special | None, tuple[Hinged, ...]]:
+    """Find what the special point of a group gives; of two plates, these as hinged there."""
+    match closing:
+        case PlateClosing():
+            return solve_third(figure, closing, acting, slopes, turning, tangents), ()
+        case SquareClosing():
+            return hinge_plates(figure, closing, slopes, tangents)
+        case _:
+            return None, ()
+
+
 def solve_third(
     figure: Detached,
     closing: PlateClosing,
@@ -82,18 +102,19 @@ def solve_third(
         if isinstance(leg, PinLeg) and leg.link in tangents
     )
     couples = tuple(
-        _held(figure, leg, couple)
+        _held(figure, closing.plate, leg, couple)
         for leg in closing.legs
         if isinstance(leg, GuideLeg) and (couple := turning[leg.link]) is not None
     )
-    links = (*closing.group.links, *closing.group.rods)
+    stones = [leg.link for leg in closing.legs if leg.inner]
+    links = [k for k in (*closing.group.links, *closing.group.rods) if k not in stones]
     known = [force for link in links for force in acting.forces.get(link, [])]
     turned = [couple for link in links for couple in acting.couples.get(link, [])]
     letter = f"ΣM_{{{point.letter}}}"
     total = figure.sum(point, [*known, *forces], [*turned, *couples], letter)
     if total is None:
         total = draft.take(Number, letter, 0.0, "N·m")
-    called, line = _letter(closing.third), _line(figure, closing, closing.third, slopes, tangents)
+    called, line = _letter(closing), _line(figure, closing, closing.third, slopes, tangents)
     height = figure.arm(called, point, line)
     value = draft.draw(along_third, called, total, height, figure.mu, unit="N")
     third = Third(line, total, Tangent(called, value, height))
@@ -112,6 +133,8 @@ def hinge_plates(
     across = [
         _across(figure, one, tangents[one.link]) for one in closing.joining if one.link in tangents
     ]
+    for force in across:
+        figure.arm(force.letter, point, force.line)
     back = [_reversed(figure, first.link, force) for force in across]
 
     def arm(leg: PinLeg) -> Mark:
@@ -138,7 +161,7 @@ def hinge_plates(
 
 def _crossing(
     figure: Detached,
-    closing: PlateClosing | SquareClosing,
+    closing: SpecialClosing,
     slopes: Slopes,
     tangents: Mapping[int, Tangent],
     because: str,
@@ -154,7 +177,7 @@ def _crossing(
 
 def _line(
     figure: Detached,
-    closing: PlateClosing | SquareClosing,
+    closing: SpecialClosing,
     leg: ClosingLeg,
     slopes: Slopes,
     tangents: Mapping[int, Tangent],
@@ -167,8 +190,14 @@ def _line(
     )
 
 
-def _letter(leg: ClosingLeg) -> str:
-    """Return the letter of what holds the third leg along its line: it is signed, the whole reaction is not."""
+def _letter(closing: PlateClosing) -> str:
+    """Return the letter of what holds the third leg along its line: it is signed, the whole reaction is not.
+
+    Of a leg that slides along the plate it is what that does to the plate.
+    """
+    leg = closing.third
+    if leg.inner:
+        return f"R_{{{leg.link}{closing.plate}}}^{{W}}"
     raised = "n" if isinstance(leg, PinLeg) else "W"
     return f"R_{{{leg.body}{links_of(leg)[0]}}}^{{{raised}}}"
 
@@ -197,10 +226,16 @@ def _reversed(figure: Detached, plate: int, force: Force) -> Force:
     return force._replace(letter=letter, link=plate, value=value)
 
 
-def _held(figure: Detached, leg: GuideLeg, turning: Mark) -> Couple:
-    """Return the couple by which a guide holds what turns its slider about the pin."""
-    letter = f"M_{{{leg.body}{leg.link}}}"
-    because = why.GUIDE_HOLDS
-    return Couple(
-        letter, leg.link, figure.draft.draw(reversed_, letter, turning, unit="N·m", why=because)
-    )
+def _held(figure: Detached, plate: int, leg: GuideLeg, turning: Mark) -> Couple:
+    """Return the couple by which a guide holds what turns its slider about the pin.
+
+    Of a leg that slides along the plate it is the plate that bears it.
+    """
+    draft, because = figure.draft, why.GUIDE_HOLDS
+    holder = plate if leg.inner else leg.body
+    letter = f"M_{{{holder}{leg.link}}}"
+    couple = draft.draw(reversed_, letter, turning, unit="N·m", why=because)
+    if not leg.inner:
+        return Couple(letter, leg.link, couple)
+    letter, because = f"M_{{{leg.link}{plate}}}", why.COUPLE_ON_THE_PLATE
+    return Couple(letter, plate, draft.draw(reversed_, letter, couple, unit="N·m", why=because))

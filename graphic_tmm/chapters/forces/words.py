@@ -224,6 +224,7 @@ TO_SPECIAL_POINT = said(
     "About the special point a plate is balanced as a link is about its inner pin: its outer reaction has a "
     "part along this line and one square to it."
 )
+COUPLE_ON_THE_PLATE = said("As the plate holds what turns the leg, the leg turns the plate.")
 ON_THE_PLATE = said(
     "What the plate does to the link across it, the link does to the plate, reversed."
 )

@@ -96,7 +96,7 @@ def _relative_line(
         letter, slid = f"k{leg.link}", velocities.readings[leg.link]
         segment = between(start, letter)
         length = draft.draw(coriolis, segment, turning, slid)
-        component(draft, length, "k", closing.image_of(leg), start.name)
+        component(draft, length, "k", closing.image_of(leg), _under(closing, leg, start))
         across = draft.draw(
             square, f"({segment})", start, leg.line, sense=1, why=why.CORIOLIS_ACROSS
         )
@@ -104,6 +104,11 @@ def _relative_line(
     because = why.ACCELERATION_ALONG if start == plan.images.pole else why.RELATIVE_ALONG
     segment = between(start, closing.image_of(leg))
     return draft.draw(parallel, f"({segment})", start, leg.line, sense=1, why=because)
+
+
+def _under(closing: AnyClosing, leg: GuideLeg, image: Mark) -> str:
+    """Return the letter of the point that the relative motion of a sliding leg is about."""
+    return closing.pin_letter(leg) if leg.inner else image.name
 
 
 def read_along(
@@ -117,7 +122,8 @@ def read_along(
         plan.measured.add(point)
     else:
         length = read_segment(draft, point, line, why.RELATIVE_READ)
-        component(draft, length, "r", point.name, known_image(plan, closing, leg).name)
+        under = _under(closing, leg, known_image(plan, closing, leg))
+        component(draft, length, "r", point.name, under)
 
 
 def read_tangential(draft: Draft, plan: Motion, leg: PinLeg, point: Mark, line: Mark) -> None:

@@ -104,8 +104,9 @@ class Branch(NamedTuple):
 class PlateClosing(NamedTuple):
     """What a group of class III leaves for the other plans: its three legs, the pins of the plate on them.
 
-    ``root``: the line of the plate as pricked. ``near``: what is given of its place, the angles of the first
-    leg and of the plate; ``branch``: what these are at coordinates of the drive.
+    Of a leg that slides along the plate its pivot is in the place of a pin: there the plate's point over it is
+    meant. ``root``: the line of the plate as pricked, ``line``: its letters. ``near``: what is given of its
+    place, the angles of the first leg and of the plate; ``branch``: what these are at coordinates of the drive.
     """
 
     group: PlateGroup
@@ -113,6 +114,7 @@ class PlateClosing(NamedTuple):
     legs: tuple[ClosingLeg, ClosingLeg, ClosingLeg]
     pins: tuple[str, str, str]
     points: tuple[Mark, Mark, Mark]
+    line: str
     near: tuple[Mark, Mark]
     branch: Branch
 
@@ -129,11 +131,6 @@ class PlateClosing(NamedTuple):
     def special(self) -> str:
         """The letter of Assur's special point."""
         return f"W{self.plate}"
-
-    @property
-    def line(self) -> str:
-        """The letters of the plate's line."""
-        return "".join(self.pins[:2])
 
     @property
     def crossing(self) -> tuple[ClosingLeg, ClosingLeg]:
@@ -182,8 +179,9 @@ class PlateClosing(NamedTuple):
         return self.plate
 
     def image_of(self, leg: ClosingLeg) -> str:
-        """Return the letter of the image of the plate's pin on a leg."""
-        return self.pin_letter(leg).lower()
+        """Return the letter of the image of the plate's pin on a leg: "b"; "o3" of its point over a pivot O."""
+        small = self.pin_letter(leg).lower()
+        return f"{small}{self.plate}" if leg.inner else small
 
 
 class SquareClosing(NamedTuple):
@@ -295,6 +293,11 @@ class PinLeg(NamedTuple):
     turned: bool = False
 
     @property
+    def inner(self) -> bool:
+        """Whether it slides along another link of its group: it does not."""
+        return False
+
+    @property
     def links(self) -> tuple[int, ...]:
         """Its link, and the rod that is driven out of it: as they lie from the pivot to Q."""
         if not self.rod:
@@ -317,7 +320,9 @@ class GuideLeg(NamedTuple):
 
 ClosingLeg = PinLeg | GuideLeg
 """How a link of a group is held by what is there already."""
-AnyClosing = Closing | PlateClosing | SquareClosing
+SpecialClosing = PlateClosing | SquareClosing
+"""What a group of a class above II leaves: its plans are drawn by a special point."""
+AnyClosing = Closing | SpecialClosing
 """What a group of any class leaves."""
 
 
@@ -353,6 +358,11 @@ def legs_of(closings: Iterable[AnyClosing], room: str) -> Iterator[tuple[AnyClos
     return ((closing, leg) for closing in groups_of(closings, room) for leg in closing.legs)
 
 
+def last_legs(closing: AnyClosing) -> tuple[ClosingLeg, ClosingLeg]:
+    """Return the legs whose unknown sides close a polygon of forces: that of the first leg is its last."""
+    return closing.crossing if isinstance(closing, PlateClosing) else closing.legs
+
+
 def outer_guides(
     closings: Iterable[AnyClosing], room: str
 ) -> Iterator[tuple[AnyClosing, GuideLeg]]:
@@ -375,6 +385,6 @@ def unheld(leg: Never, room: str) -> NoReturn:
 def pair_of(closing: AnyClosing, leg: GuideLeg) -> Pair:
     """Return the sliding pair of a leg."""
     group = closing.group
-    if isinstance(group, Group) and leg.inner:
-        return group.inner
+    if leg.inner:
+        return next(pair for pair in group.inner_pairs if leg.link in pair.links)
     return next(k.pair for k in group.legs if k.link == leg.link)

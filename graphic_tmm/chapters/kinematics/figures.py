@@ -93,11 +93,11 @@ def tell_slide(
 def _stone(bodies: dict[int, Body], closing: AnyClosing, leg: GuideLeg, slider: int) -> Mark:
     """Return the point of the sliding link at which its slider or stone is drawn."""
     if slider == leg.link:
-        return closing.point if leg.inner else closing.slid(leg)
-    if leg.inner:
-        return closing.slid(leg)
+        return closing.pin(leg) if leg.inner else closing.slid(leg)
     pair, held, body = pair_of(closing, leg), bodies[leg.link], bodies[leg.on]
-    letter = next(k for k, mark in held.marks.items() if mark == closing.slid(leg))
+    letter = next((k for k, mark in held.marks.items() if mark == closing.slid(leg)), None)
+    if letter is None:
+        return closing.slid(leg)
     return body.marks[
         nearest(body.link.number, body.own, pair, level(pair, leg.link, held.own[letter]))
     ]

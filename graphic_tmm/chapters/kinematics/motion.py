@@ -229,7 +229,8 @@ def pin_image(plan: Motion, closing: AnyClosing, leg: ClosingLeg) -> Mark:
     """Return the image of the inner end of a leg: of a closing point, or of a pin of a plate."""
     if isinstance(closing, Closing):
         return plan.closed[closing.group.name]
-    return plan.images.by_letter[closing.borne(leg)][closing.pin_letter(leg)]
+    bearer, letter = closing.borne(leg), closing.pin_letter(leg)
+    return plan.images.of(bearer, closing.pin(leg), letter, closing.image_of(leg))
 
 
 def hang_group(positions: Positions, plan: Motion, closing: Closing, point: Mark) -> None:

@@ -9,10 +9,9 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.branches import Search
-from graphic_tmm.chapters.kinematics.closings import Branch, PlateClosing
+from graphic_tmm.chapters.kinematics.closings import Branch, Closing
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.survey import Survey
-from graphic_tmm.chapters.kinematics.tracings import PlateTracing
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.readers.columns import Elsewhere
@@ -22,39 +21,29 @@ ALIKE = 1e-3
 """Places whose plates are turned by less from one another, degrees, are one."""
 
 
-def search_of(tried: Survey, closing: PlateClosing) -> Search:
-    """Return what seeks the places of a plate on the small board of a mechanism."""
-    step = tried.construction.step(closing.root)
-    assert step is not None
-    marks, lengths = step.uses[:3], step.uses[3:6]
+def search_of(tried: Survey, group: str) -> Search:
+    """Return what seeks the places of a group on the small board of a mechanism."""
+    tracing = tried.tracings[group]
 
     def loci(row: Reals) -> list[Any]:
-        reading = tried.at(row[None, :], marks)
-        return [reading[mark] for mark in marks]
+        reading = tried.at(row[None, :], tracing.loci)
+        return [reading[mark] for mark in tracing.loci]
 
-    at = np.array([[tried.pairs[0].sweep.low]])
-    reading = tried.at(at, lengths)
-    apart, x, y = (float(reading[one].flat[0]) for one in lengths)
-    link = tried.mechanism.by_number[closing.plate]
-    tracing = PlateTracing(closing.group, link, marks, 0.0, apart, complex(x, y))
     return Search(tracing, loci, tried.pairs[0].sweep)
 
 
-def _branches(tried: Survey, k: int, begun: float) -> tuple[Branch, ...]:
-    """Return all places of a plate at a coordinate of the drive, followed; none that comes back elsewhere."""
-    closing = tried.positions.closings[k]
-    assert isinstance(closing, PlateClosing)
-    search, found = search_of(tried, closing), list[Branch]()
+def _branches(tried: Survey, group: str, begun: float) -> Iterator[Branch]:
+    """Yield all places at a coordinate of the drive, followed; none that comes back elsewhere."""
+    search = search_of(tried, group)
     for place in search.places(begun):
         try:
-            found.append(search.follow(place, begun))
+            yield search.follow(place, begun)
         except StructureError:
             continue
-    return tuple(found)
 
 
 def other_places(drawn: Drawn) -> Iterator[Elsewhere]:
-    """Yield the other places of each plate on three legs; they are sought once for a drawing."""
+    """Yield the other places of each plate, or of two that are joined; they are sought once for a drawing."""
     found: tuple[Elsewhere, ...] | None = drawn.cache.get(PLACES)
     if found is None:
         found = drawn.cache[PLACES] = tuple(_places(drawn))
@@ -67,14 +56,14 @@ def _places(drawn: Drawn) -> Iterator[Elsewhere]:
     if made is None or not row:
         return
     at = np.array([np.nan if one is None else one for one in row])
-    for k, closing in enumerate(made.positions.closings):
-        if not isinstance(closing, PlateClosing):
+    for closing in made.positions.closings:
+        if isinstance(closing, Closing):
             continue
         own = closing.branch.near(at)[1]
         there = np.flatnonzero(np.isfinite(own))
         if not there.size:
             continue
-        for one in _branches(made.tried, k, float(at[there[0]])):
+        for one in _branches(made.tried, closing.group.name, float(at[there[0]])):
             near = one.near(at)
             away = np.abs((near[1] - own + 180.0) % 360.0 - 180.0)
             if np.isfinite(away).any() and np.nanmax(away) > ALIKE:

@@ -13,7 +13,7 @@ from graphic_tmm.board.execute import Reading, execute
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.scales import LENGTHS, standard_length
 from graphic_tmm.board.values import Reals, undefined
-from graphic_tmm.chapters.kinematics.closings import GuideLeg, legs_of, pair_of
+from graphic_tmm.chapters.kinematics.closings import ClosingLeg, GuideLeg, PinLeg, legs_of, pair_of
 from graphic_tmm.chapters.kinematics.given import frame_sizes
 from graphic_tmm.chapters.kinematics.ink_numbers import guide_names, link_numbers
 from graphic_tmm.chapters.kinematics.ink_positions import PositionsInk
@@ -308,6 +308,11 @@ def _spot(
     return complex(at[0]), by / abs(by) if abs(by) > 1e-9 else 0j
 
 
+def _along(leg: ClosingLeg, line: Mark) -> bool:
+    """Whether the line of a leg that turns is this one."""
+    return isinstance(leg, PinLeg) and leg.line == line
+
+
 def _turn(made: KinematicPlans, reading: Reading, link: int) -> complex:
     """Return which way the own x axis of a link points: by its axis, or by its guide."""
     if link == made.mechanism.frame.number:
@@ -319,7 +324,7 @@ def _turn(made: KinematicPlans, reading: Reading, link: int) -> complex:
         if link in (leg.link, leg.on if leg.inner else None):
             along = complex(reading[leg.line].along[0, 0])
             # the line of a rocker runs from its pivot to the stone: its guide may run the other way
-            if leg.inner and closing.legs[1].line == leg.line:
+            if leg.inner and _along(closing.legs[1], leg.line):
                 along *= float(reading[made.positions.sides[closing.group.name]][0, 0])
             return along * turn(-direction(pair_of(closing, leg), link))
     return complex(reading[body.axis].along[0, 0]) * turn(-body.angle)

@@ -9,20 +9,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import combinations
-from typing import Any, Protocol
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
 from graphic_tmm.board.geometry import vector
+from graphic_tmm.board.operations.slots import Slot, slot_arm, slot_normal, slot_off
 from graphic_tmm.board.operations.tracing import (
     Square,
     arc_normal,
     arc_off,
+    corrected,
     held,
     line_off,
-    on_arcs,
-    on_guide,
-    on_guides,
     on_links,
     square_held,
     square_off,
@@ -31,14 +30,35 @@ from graphic_tmm.board.operations.tracing import (
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Arc, Complexes, Line, Reals
 from graphic_tmm.mechanism.groups import AssurGroup
+from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.records import Link
 
 Loci = Sequence[Any]
 """What stands when it is laid, at a row of coordinates: the loci of three pins, or both pivots."""
 GUIDE = 0.2
 """A guide is outlined to either side of its pin for this share of the leg and the plate."""
-CORRECTIONS = on_arcs, on_guide, on_guides
-"""A correction of how a plate lies, by how many of its pins are on guides."""
+
+
+class Groove(NamedTuple):
+    """A guide of a plate: its direction from the plate's line, degrees, and how far a leg's pivot is off, m.
+
+    That is to the left of a parallel to the guide through the plate's first pin.
+    """
+
+    bend: float
+    height: float
+
+
+class _Fit(NamedTuple):
+    """How a plate keeps to one of its loci.
+
+    ``arm``: from its first pin, in its own axes, to where it is held; ``off``: how far that is off, to the side
+    of ``normal``.
+    """
+
+    arm: Complexes
+    off: Reals
+    normal: Complexes
 
 
 class Tracing(Protocol):
@@ -81,43 +101,44 @@ class Tracing(Protocol):
 
 @dataclass(frozen=True)
 class PlateTracing:
-    """A plate on three legs: the loci of its pins, and where these are from the first, m.
+    """A plate on three legs: the loci of its pins, or the pivots that its guides pass.
 
-    ``second``: along its line; ``third``: along and to the left of that.
+    ``own``: where its second and its third pin are from the first, along and to the left of its line, m; or
+    the guides.
     """
 
     group: AssurGroup
     link: Link
     loci: tuple[Mark, ...]
     angle: float
-    second: float
-    third: complex
+    own: tuple[complex | Groove, complex | Groove]
 
     def corrected(self, loci: Loci, lies: Line) -> Line:
         """Return how it lies after one correction."""
-        first, second, third = loci
-        guides = sum(not isinstance(locus, Arc) for locus in loci)
-        return CORRECTIONS[guides](lies, first, second, third, *self._sizes())
+        second, third = self._fits(loci, lies)
+        off = vector(second.off, third.off)
+        return corrected(
+            lies, loci[0].radius, second.arm, third.arm, off, second.normal, third.normal
+        )
 
     def off(self, loci: Loci, lies: Line) -> Complexes:
-        """Return how far its second and its third pin are off their loci."""
-        second, third = (
-            arc_off(pin, locus) if isinstance(locus, Arc) else line_off(pin, locus)
-            for pin, locus in zip(self._pins(loci, lies), loci[1:], strict=True)
-        )
-        return vector(second, third)
+        """Return how far it is off its second and its third locus."""
+        second, third = self._fits(loci, lies)
+        return vector(second.off, third.off)
 
     def size(self, loci: Loci) -> Reals:
         """Return the length of its first leg with those of the plate."""
-        return np.asarray(loci[0].radius + abs(self.second) + abs(self.third))
+        own = (one.height if isinstance(one, Groove) else one for one in self.own)
+        return np.asarray(loci[0].radius + sum(map(abs, own)))
 
     def held(self, loci: Loci, lies: Line) -> Reals:
         """Return how well its three legs hold it."""
-        return held(lies, *self._sizes(), *self._normals(loci, lies)[1:])
+        second, third = self._fits(loci, lies)
+        return held(lies, second.arm, third.arm, second.normal, third.normal)
 
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return the two legs of which the lines, or what is square to the guides, cross most squarely."""
-        normals = self._normals(loci, lies)
+        normals = lies.at, *(one.normal for one in self._fits(loci, lies))
         least = {
             (a, b): float(np.abs((np.conj(normals[a]) * normals[b]).imag).min())
             for a, b in combinations(range(3), 2)
@@ -127,29 +148,41 @@ class PlateTracing:
     def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
         """Return the plate and its legs, of one that slides a piece of the guide."""
         b = loci[0].centre + loci[0].radius * lies.at
-        pins = [complex(np.ravel(pin)[0]) for pin in (b, *self._pins(loci, lies))]
+        fits = self._fits(loci, lies)
+        pins = [_first(b), *(_first(b + one.arm * lies.along) for one in fits)]
         way = GUIDE * float(np.ravel(self.size(loci))[0])
-        legs = [
-            (complex(np.ravel(locus.centre)[0]), pin)
-            if isinstance(locus, Arc)
-            else tuple(pin + sign * way * complex(np.ravel(locus.along)[0]) for sign in (-1, 1))
-            for pin, locus in zip(pins, loci, strict=True)
-        ]
+        legs = [(_first(loci[0].centre), pins[0])]
+        for pin, locus, one in zip(pins[1:], loci[1:], fits, strict=True):
+            along = 1j * way * _first(one.normal)
+            legs.append(
+                (_first(locus.centre), pin)
+                if isinstance(locus, Arc)
+                else (pin - along, pin + along)
+            )
         return (*pins, pins[0]), *legs
 
-    def _sizes(self) -> tuple[Complexes, Complexes]:
-        return np.array([[complex(self.second)]]), np.array([[self.third]])
-
-    def _pins(self, loci: Loci, lies: Line) -> tuple[Complexes, Complexes]:
+    def _fits(self, loci: Loci, lies: Line) -> tuple[_Fit, _Fit]:
         b = loci[0].centre + loci[0].radius * lies.at
-        return b + self.second * lies.along, b + self.third * lies.along
-
-    def _normals(self, loci: Loci, lies: Line) -> tuple[Complexes, Complexes, Complexes]:
         second, third = (
-            arc_normal(pin, locus) if isinstance(locus, Arc) else locus.along * 1j
-            for pin, locus in zip(self._pins(loci, lies), loci[1:], strict=True)
+            _fit(own, locus, b, lies) for own, locus in zip(self.own, loci[1:], strict=True)
         )
-        return lies.at, second, third
+        return second, third
+
+
+def _first(values: Complexes) -> complex:
+    return complex(np.ravel(values)[0])
+
+
+def _fit(own: complex | Groove, locus: Any, b: Complexes, lies: Line) -> _Fit:
+    """Return how a plate whose first pin is at ``b`` keeps to a locus, or its guide to a pivot."""
+    if isinstance(own, Groove):
+        slot = Slot(locus, np.array([[turn(own.bend)]]), np.array([[own.height]]))
+        return _Fit(slot_arm(slot, b, lies), slot_off(slot, b, lies), slot_normal(slot, lies))
+    arm = np.array([[own]])
+    pin = b + arm * lies.along
+    if isinstance(locus, Arc):
+        return _Fit(arm, arc_off(pin, locus), arc_normal(pin, locus))
+    return _Fit(arm, line_off(pin, locus), locus.along * 1j)
 
 
 @dataclass(frozen=True)
@@ -189,12 +222,12 @@ class SquareTracing:
 
     def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
         """Return both plates and the links that join them."""
-        to, at = (complex(np.ravel(pivot)[0]) for pivot in loci)
-        other, told = (complex(np.ravel(way)[0]) for way in lies)
+        to, at = map(_first, loci)
+        other, own = map(_first, lies)
         b1, b2, c1, c2 = (
             pivot + one * way
             for one, (pivot, way) in zip(
-                self.own, ((to, other), (to, other), (at, told), (at, told)), strict=True
+                self.own, ((to, other), (to, other), (at, own), (at, own)), strict=True
             )
         )
         return (to, b1, b2, to), (at, c1, c2, at), (b1, c1), (b2, c2)

@@ -106,6 +106,11 @@ TRACING = said(
     "moved until all three are there at once. Of the places where they are, up to six, it is the one that "
     "goes on from the position before."
 )
+TRACING_PAST = said(
+    "The plate is rigid, its pins keep to what their legs leave them, and its guide passes the pivot of the "
+    "leg that slides along it: on tracing paper it is moved until all three are so at once. Of the places "
+    "where they are, it is the one that goes on from the position before."
+)
 PRICKED = said("The first pin of the plate is pricked through with the line.")
 SPECIAL_POINT = said(
     "As a point of the plate, the point where the lines of two legs cross moves square to both of them: only "

@@ -24,13 +24,13 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Arc, Point, Side
-from graphic_tmm.chapters.kinematics.closings import PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg, PlateClosing
 from graphic_tmm.chapters.kinematics.other_places import search_of
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.chapters.kinematics.plates import TRACINGS
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import POSITIONS
-from graphic_tmm.chapters.kinematics.tracings import PlateTracing
+from graphic_tmm.chapters.kinematics.tracings import Groove, PlateTracing
 from graphic_tmm.chapters.loci import words as why
 from graphic_tmm.chapters.loci.loosened import ROW, Loosened
 from graphic_tmm.chapters.loci.operations import cross_arc, cross_guide
@@ -155,7 +155,7 @@ def trace_place(bench: Bench) -> Mark:
     made, draft = LOCI_PLAN.on(bench), bench.draft
     closing, off = made.closing, made.loosened.off
     draft.open(TRACED)
-    tracing = TRACINGS[sum(held.kind is not Arc for _, held in made.held)]
+    tracing = TRACINGS[made.held[1][1].kind, made.held[2][1].kind]
     lengths = [
         draft.length(name, size)
         for name, size in (
@@ -207,6 +207,15 @@ def _plate(tried: Survey, order: LociTask) -> PlateClosing:
             else said("there is no plate on three legs: leave [loci] out")
         )
         raise StructureError(says, f"{LOCI}.plate" if plates else LOCI, head=LOCI)
+    if any(isinstance(leg, GuideLeg) and leg.inner for leg in found[0].legs):
+        raise StructureError(
+            said(
+                "link {n} slides along one of its legs: no pin of it draws a locus; leave [loci] out",
+                n=found[0].plate,
+            ),
+            f"link {found[0].plate}",
+            head=LOCI,
+        )
     return found[0]
 
 
@@ -214,13 +223,16 @@ def _laid(
     tried: Survey, closing: PlateClosing, coordinate: float
 ) -> tuple[Loosened, list[tuple[complex, complex]]]:
     """Return the plate on two legs at a coordinate, and all places that it has on three."""
-    search = search_of(tried, closing)
+    search = search_of(tried, closing.group.name)
     tracing = search.tracing
     assert isinstance(tracing, PlateTracing)
-    places = search.places(coordinate)
+    second, third = tracing.own
+    assert not isinstance(second, Groove)
+    assert not isinstance(third, Groove)
     loci = search.loci(np.array([coordinate]))
     there = [type(one)(*(part.flat[0] for part in one)) for one in loci]
-    found = Loosened(there[0], there[1], there[2], tracing.second, tracing.third)
+    found = Loosened(there[0], there[1], there[2], second.real, third)
+    places = search.places(coordinate)
     return found, [(complex(one.at.flat[0]), complex(one.along.flat[0])) for one in places]
 
 

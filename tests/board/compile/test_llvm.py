@@ -264,7 +264,15 @@ def choices(op: Operation) -> list[dict[str, int]]:
     return [{}] if not op.choices else [{name: sign} for name in op.choices for sign in (1, -1)]
 
 
-WANDERING = ("trace", "trace_on_guide", "trace_on_guides")
+WANDERING = (
+    "trace",
+    "trace_on_guide",
+    "trace_on_guides",
+    "trace_past",
+    "trace_on_guide_past",
+    "trace_past_both",
+    "trace_joined",
+)
 """From far off corrections wander by rounding: from near they are compared by whole mechanisms."""
 
 

@@ -19,6 +19,8 @@ KINDS = {
     "two guides": (2, {"guides": 2}),
     "before": (2, {"before": True}),
     "behind": (4, {"behind": True}),
+    "along it": (5, {"slots": 1, "guides": 1}),
+    "two along it": (6, {"slots": 2, "before": True}),
 }
 AT = np.arange(5.0, 360.0, 35.0)
 

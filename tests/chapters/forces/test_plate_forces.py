@@ -202,6 +202,19 @@ TWO_GUIDES = (
     .replace('to = "100 deg"', 'to = "60 deg"')
 )
 """Two of its legs are sliders."""
+GUIDE = """near = "{} deg"
+near_at = "0 deg"
+guides = {{ z = {{ through = [0.07, 0.03], angle = "80 deg" }} }}"""
+STONE = """points = { E = [0, 0], S5 = [0.05, 0.01] }
+slides = { on = 3, along = "z" }"""
+ALONG, THIRD_ALONG = (
+    TURNS.replace("points = { F = [0, 0], E = [0.2, 0], S5 = [0.1, 0] }", STONE)
+    .replace("C = [0.12, 0], F = [0.07, 0.08]", "C = [0.12, 0]")
+    .replace("E = [0.42, 0.12]", "E = [0.2, 0.12]")
+    .replace('near = "-114 deg"', GUIDE.format(near))
+    for near in (-20.891, 69.632)
+)
+"""A leg slides along its plate: in the special point its line crosses another's, or it is the third."""
 SHEETS = {
     "turns": TURNS,
     "pushed": PUSHED,
@@ -210,11 +223,13 @@ SHEETS = {
     "two drives": TWO_DRIVES,
     "rough": rough(GUIDED),
     "two rough guides": rough(TWO_GUIDES),
+    "along it": ALONG,
+    "third along it": THIRD_ALONG,
 }
 
 
-def check(seed: int, guides: int, behind: int) -> None:
-    drawn = (held := held_plate(seed, guides, behind)).drawn
+def check(seed: int, guides: int, behind: int, slots: int = 0) -> None:
+    drawn = (held := held_plate(seed, guides, behind, slots)).drawn
     loaded, pick = weighed(drawn, seed), random.Random(seed)
     gravity, inertia, turned = (bool(pick.randint(0, 3)) for _ in range(3))
     order = order_of(
@@ -228,7 +243,7 @@ def check(seed: int, guides: int, behind: int) -> None:
     poses = {number: pose for number, pose in drawn.poses.items() if number != frame}
     solved = solve(loaded, drawn.phi, poses, order, turned=turned, branches=held.branches)
     found = errors(solved)
-    assert max(found.values()) <= RATIO, (seed, guides, behind, found)
+    assert max(found.values()) <= RATIO, (seed, guides, behind, slots, found)
 
 
 @pytest.mark.parametrize("behind", range(3))
@@ -241,14 +256,29 @@ def test_a_plate_on_any_legs_bears_as_newton_and_euler_say(
         check(9000 + 100 * behind + seed, guides, behind)
 
 
-@pytest.mark.parametrize("guides", range(3))
+@pytest.mark.parametrize(("guides", "slots"), [(0, 1), (1, 1), (0, 2)])
+def test_a_plate_with_legs_along_it_bears_as_newton_and_euler_say(
+    guides: int, slots: int, many: Callable[[int, int], int]
+) -> None:
+    """What such a leg does to the plate is square to the guide, with what turns it about its pivot."""
+    count, left = many(150, 6), 0
+    for seed in range(count):
+        try:
+            check(9500 + seed, guides, seed % 3, slots)
+        except StructureError as error:
+            assert "another of its places after a turn" in str(error)  # noqa: PT017
+            left += 1
+    assert left <= count // 3
+
+
+@pytest.mark.parametrize(("guides", "slots"), [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2)])
 def test_friction_of_a_plate_settles_at_the_judges_equilibrium(
-    guides: int, many: Callable[[int, int], int]
+    guides: int, slots: int, many: Callable[[int, int], int]
 ) -> None:
     """What holds a rough guide leans, so the special point stands elsewhere in each pass."""
     count, refused = many(40, 4), 0
     for seed in range(700, 700 + count):
-        drawn = (held := held_plate(seed, guides, seed % 2)).drawn
+        drawn = (held := held_plate(seed, guides, seed % 2, slots)).drawn
         links = drawn.mechanism.links
         size = max(abs(point) for link in links for point in link.points.values())
         names = [pair.name for pair in dissect(drawn.mechanism).pairs]

@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from support.moved_bodies import held
+from support.plate_by_hand import TRIAD
 from support.plates import followed, machine
 from support.turns import in_turn
 
@@ -20,44 +21,21 @@ KINDS = (
     {"before": True, "guides": 1},
     {"behind": True},
     {"behind": True, "guides": 1, "before": True},
+    {"slots": 1},
+    {"slots": 1, "guides": 1, "behind": True},
+    {"slots": 2, "before": True},
+    {"slots": 1, "before": True, "behind": True},
 )
 CASES = [(seed, seed % len(KINDS)) for seed in range(300)]
 
 
-@pytest.mark.parametrize(("seed", "kind"), in_turn(CASES, 10))
+@pytest.mark.parametrize(("seed", "kind"), in_turn(CASES, 12))
 def test_a_plate_moves_as_its_bodies_do(seed: int, kind: int) -> None:
     one = machine(seed, **KINDS[kind])
     assert held(one, machine(seed, **(KINDS[kind] | {"behind": False}))) > 0
 
 
-REFERENCE = """
-title = "Triad"
-[frame]
-O = [0, 0]
-D = [0.3, -0.05]
-E = [0.42, 0.12]
-[[link]]
-number = 1
-points = { O = [0, 0], A = [0.05, 0] }
-[[link]]
-number = 2
-points = { A = [0, 0], B = [0.2, 0] }
-[[link]]
-number = 3
-points = { B = [0, 0], C = [0.12, 0], F = [0.07, 0.08] }
-near = "-114 deg"
-[[link]]
-number = 4
-points = { C = [0, 0], D = [0.18, 0] }
-[[link]]
-number = 5
-points = { F = [0, 0], E = [0.2, 0] }
-[drive]
-link = 1
-speed = 10
-positions = 12
-accelerations = "all"
-"""
+REFERENCE = f'title = "Triad"{TRIAD}positions = 12\naccelerations = "all"\n'
 
 
 def test_reference_numbers_of_a_plate() -> None:
@@ -75,9 +53,9 @@ def test_where_the_plate_stops_is_within_a_hundredth_of_a_degree() -> None:
     assert [math.isfinite(one) for one in omega] == [True, False, True, False]
 
 
-@pytest.mark.parametrize("guides", range(3))
-def test_a_plate_in_machine_code_moves_as_step_by_step(guides: int) -> None:
-    one = machine(11 + guides, guides=guides)
+@pytest.mark.parametrize(("guides", "slots"), [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2)])
+def test_a_plate_in_machine_code_moves_as_step_by_step(guides: int, slots: int) -> None:
+    one = machine(11 + guides, guides=guides, slots=slots)
     row = followed(one)
     angles = np.degrees([phi for phi, _ in row if phi < row[0][0] + 2 * math.pi])[1:-1]
     slow, fast = (

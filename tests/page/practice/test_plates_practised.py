@@ -10,6 +10,7 @@ import pytest
 from support.benches import Packed, numbers, worked
 from support.plate_by_hand import SCENE
 from support.plates import machine
+from support.squares import square
 
 from graphic_tmm.page.practice.pack import Packing
 from graphic_tmm.page.practice.tasks import sheet_row
@@ -24,8 +25,9 @@ TEXTS = {
     "two guides": lambda: machine(2, guides=2).text,
     "a dyad before": lambda: machine(2, before=True).text,
     "a dyad behind": lambda: machine(4, behind=True).text,
+    "joined plates": lambda: square(0).text,
 }
-TRACINGS = ("trace", "trace_on_guide", "trace_on_guides")
+TRACINGS = ("trace", "trace_on_guide", "trace_on_guides", "trace_joined")
 
 
 @cache
