@@ -7,6 +7,7 @@ sign and the rest is done here.
 from __future__ import annotations
 
 import math
+from decimal import ROUND_HALF_UP, Context, Decimal
 
 from graphic_tmm.language.catalogue import speaking
 
@@ -22,16 +23,21 @@ def decimal_sign(language: str) -> str:
 def number(value: float, language: str, digits: int = 4) -> str:
     """Return a number to ``digits`` significant figures, with the decimal sign of the language.
 
-    >>> number(0.136571, "ru"), number(-4.0, "en"), number(2.5e-07, "en")
-    ('0,1366', '−4', '2.5·10⁻⁷')
+    Halves go up, away from nothing, as in tables; the noise of the last bits is left out first.
+
+    >>> number(0.136571, "ru"), number(-4.0, "en"), number(2.5e-07, "en"), number(1096.5, "en")
+    ('0,1366', '−4', '2.5·10⁻⁷', '1097')
     """
     if not math.isfinite(value):
         return "—"
-    text = f"{value:.{digits}g}"
+    told = Decimal(f"{value:.15g}")
+    text = f"{float(Context(digits, ROUND_HALF_UP).plus(told)):.{digits}g}"
     mantissa, _, exponent = text.partition("e")
     if exponent:
         power = int(exponent)
-        text = f"{value:.0f}" if 0 < power < 7 else f"{mantissa}·10{str(power).translate(_RAISED)}"
+        text = f"{mantissa}·10{str(power).translate(_RAISED)}"
+        if 0 < power < 7:
+            text = str(told.quantize(Decimal(1), ROUND_HALF_UP))
     text = "0" if text in ("-0", "0") else text.replace("-", "−", 1)
     return text.replace(".", decimal_sign(language))
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Literal, NamedTuple, Never, NoReturn
 
 from graphic_tmm.errors import StructureError
-from graphic_tmm.language.said import said
+from graphic_tmm.language.said import Said, said
 from graphic_tmm.mechanism.records import Link, Slide
 
 
@@ -66,9 +66,25 @@ class Group(NamedTuple):
         return f"II({self.name})"
 
     @property
+    def described(self) -> Said:
+        """What it is: its class, order and kind."""
+        return said("Group {name}: class II, order 2, kind {kind}", name=self.name, kind=self.kind)
+
+    @property
     def pairs(self) -> int:
         """How many pairs it has."""
         return 3
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs between its links."""
+        return (self.inner,)
+
+    @property
+    def inside(self) -> tuple[tuple[int, int], ...]:
+        """The links that these join: in each the one that pushes, and the one that is pushed."""
+        first, second = self.legs
+        return ((first.link, second.link),)
 
     @property
     def rest(self) -> tuple[int, ...]:
@@ -109,9 +125,28 @@ class PlateGroup(NamedTuple):
         return f"III({self.name})"
 
     @property
+    def described(self) -> Said:
+        """What it is: its class and order, its plate."""
+        return said(
+            "Group {name}: class III, order 3, the closed figure is link {plate}",
+            name=self.name,
+            plate=self.plate,
+        )
+
+    @property
     def pairs(self) -> int:
         """How many pairs it has."""
         return 6
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs of its legs with the plate."""
+        return self.inner
+
+    @property
+    def inside(self) -> tuple[tuple[int, int], ...]:
+        """The links that these join: in each the one that pushes, and the one that is pushed."""
+        return tuple((leg.link, self.plate) for leg in self.legs)
 
     @property
     def rest(self) -> tuple[int, ...]:
@@ -152,9 +187,27 @@ class SquareGroup(NamedTuple):
         return f"IV({self.name})"
 
     @property
+    def described(self) -> Said:
+        """What it is: its class and order, its closed figure."""
+        return said(
+            "Group {name}: class IV, order 2, a closed figure of four links", name=self.name
+        )
+
+    @property
     def pairs(self) -> int:
         """How many pairs it has."""
         return 6
+
+    @property
+    def inner_pairs(self) -> tuple[Pair, ...]:
+        """The pairs of what joins the plates with these."""
+        return tuple(pair for ends in self.inner for pair in ends)
+
+    @property
+    def inside(self) -> tuple[tuple[int, int], ...]:
+        """The links that these join: in each the one that pushes, and the one that is pushed."""
+        first, second = self.plates
+        return tuple(ends for k in self.joining for ends in ((first, k), (k, second)))
 
     @property
     def rest(self) -> tuple[int, ...]:
@@ -167,8 +220,15 @@ class SquareGroup(NamedTuple):
         return tuple(leg.link for leg in self.legs)
 
 
-AssurGroup = Group | PlateGroup | SquareGroup
+SpecialGroup = PlateGroup | SquareGroup
+"""A group of a class above II: it has plates."""
+AssurGroup = Group | SpecialGroup
 """A group of any class that this board draws."""
+
+
+def numeral(group: AssurGroup) -> str:
+    """Return the class of a group: "II"."""
+    return group.formula.partition("(")[0]
 
 
 def laid(group: AssurGroup, links: Mapping[int, Link]) -> int:
@@ -200,7 +260,7 @@ def class_two(groups: Iterable[AssurGroup], room: str) -> Iterator[Group]:
                     "group {name} is of class {numeral}: this is drawn of groups of class II only; leave "
                     "it out",
                     name=group.name,
-                    numeral=group.formula.partition("(")[0],
+                    numeral=numeral(group),
                 ),
                 *(f"link {number}" for number in group.links),
                 head=room,

@@ -58,7 +58,7 @@ class Slide:
 
 @dataclass(frozen=True)
 class Near:
-    """Which of its places a plate on three legs keeps: near this direction of its own x axis, degrees.
+    """Which of its places a plate keeps that is laid: near this direction of its own x axis, degrees.
 
     ``at``: the coordinate of the first drive there (degrees, or m of what slides); None: the first of even ones
     at which it can be laid.

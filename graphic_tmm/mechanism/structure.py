@@ -6,6 +6,7 @@ W = 3n − 2p5 − p4 (Chebyshev). A letter on k links makes k − 1 turning pai
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from itertools import combinations
 from typing import Any, NamedTuple
@@ -14,9 +15,12 @@ from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import joined, said
 from graphic_tmm.mechanism.attachment import Attachment
 from graphic_tmm.mechanism.driven import Driven, driven_pairs
-from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, known_groups
-from graphic_tmm.mechanism.records import Drive, Link, Mechanism
+from graphic_tmm.mechanism.groups import AssurGroup, Pair, known_groups, numeral
+from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.wheels import Rolling, bearers, in_order, meshing, rolling
+
+CLASSES = "I", "II", "III", "IV"
+"""The classes of groups, the highest last; that of a driving link is the first."""
 
 
 class Structure(NamedTuple):
@@ -44,11 +48,6 @@ class Structure(NamedTuple):
         return 3 * self.moving - 2 * len(self.pairs) - len(self.wheels)
 
     @property
-    def of_class_two(self) -> bool:
-        """Whether all its groups are of two links."""
-        return all(isinstance(one, Group) for one in self.groups)
-
-    @property
     def attached(self) -> Iterator[AssurGroup | Rolling]:
         """Groups and wheels in the order of attachment."""
         return in_order(
@@ -56,6 +55,16 @@ class Structure(NamedTuple):
             self.wheels,
             [one.after for one in self.wheels],
         )
+
+    @property
+    def rank(self) -> int:
+        """The place of its class among the classes: that of its highest group, of a driving link alone 0."""
+        return max((CLASSES.index(numeral(one)) for one in self.groups), default=0)
+
+    @property
+    def numeral(self) -> str:
+        """Its class."""
+        return CLASSES[self.rank]
 
     @property
     def formula(self) -> str:
@@ -97,41 +106,52 @@ def dissect(mechanism: Mechanism) -> Structure:
     ------
     StructureError
         If a link is tied to nothing, W is not the number of drives, a drive drives no pair, or what remains
-        is a group of a class above II; the message names the links.
+        is a group that is not drawn here; the message names its links, and a link that could drive instead.
     """
-    pairs = _pairs(mechanism)
+    try:
+        return _dissected(mechanism)
+    except _StrangeGroup as strange:
+        other = next(iter(driven_otherwise(mechanism)), None)
+        if other is None:
+            raise StructureError(strange.says, *strange.keys) from None
+        raise StructureError(
+            said(
+                "{refusal}; driven by link {link} the mechanism is of class {numeral}, {formula}: write "
+                "[drive] link = {link}",
+                refusal=strange.says,
+                link=other.first.link,
+                numeral=other.numeral,
+                formula=other.formula,
+            ),
+            *strange.keys,
+            "drive.link",
+        ) from None
+
+
+def driven_otherwise(mechanism: Mechanism) -> list[Structure]:
+    """Return the structures of the lowest class that a mechanism has if another link on the frame drives it."""
+    found = []
+    for link in sorted(mechanism.links, key=lambda one: one.number):
+        drive = replace(mechanism.drive, link=link.number, slides=bool(link.slides))
+        if not mechanism.further and drive.link != mechanism.drive.link:
+            with suppress(StructureError):
+                found.append(_dissected(replace(mechanism, drive=drive)))
+    found = [one for one in found if not one.first.telescopes]
+    lowest = min((one.rank for one in found), default=0)
+    return [one for one in found if one.rank == lowest]
+
+
+class _StrangeGroup(StructureError):
+    """What is left when a mechanism grows is no group that this board draws."""
+
+
+def _dissected(mechanism: Mechanism) -> Structure:
     driven = driven_pairs(mechanism)
+    pairs = _pairs(mechanism)
     _refuse_loose_and_double(mechanism, pairs)
     mobility = count(mechanism).mobility
     if mobility != len(driven):
         raise _unequal(mechanism, pairs, mobility)
-    structure, left = _grown(mechanism, driven, pairs)
-    if left:
-        raise _left_over(mechanism, left)
-    return structure
-
-
-def driven_otherwise(mechanism: Mechanism) -> Structure | None:
-    """Return the structure by another driving link if that makes a mechanism of one drive of class II."""
-    if len(mechanism.drives) > 1 or mechanism.meshes:
-        return None
-    for link in mechanism.links:
-        if link.number != mechanism.drive.link:
-            slides = any(one.on == mechanism.frame.number for one in link.slides)
-            try:
-                other = replace(mechanism, drive=Drive(link.number, 1.0, slides=slides))
-                structure, left = _grown(other, driven_pairs(other), _pairs(other))
-            except StructureError:
-                continue
-            if not left and structure.of_class_two:
-                return structure
-    return None
-
-
-def _grown(
-    mechanism: Mechanism, driven: tuple[Driven, ...], pairs: tuple[Pair, ...]
-) -> tuple[Structure, list[int]]:
-    """Return the structure as far as groups can be attached, and the links that are left then."""
     groups: list[AssurGroup] = []
     known = [mechanism.frame.number, *(one.link for one in driven if not one.telescopes)]
     attachment = Attachment(mechanism, known, [one for one in driven if one.telescopes])
@@ -142,28 +162,33 @@ def _grown(
             wheels.append(wheel)
             known += attachment.stand([wheel.link])
             continue
-        group = attachment.next()
+        try:
+            group = attachment.next()
+        except StructureError as strange:
+            raise _StrangeGroup(strange.says, *strange.keys) from None
         if group is None:
-            break
+            raise _left_over(mechanism, sorted(attachment.left))
         groups.append(group)
         known += attachment.attach(group)
     order = {number: place for place, number in enumerate(known)}
-    ordered = () if attachment.left else _in_order(pairs, order, mechanism)
-    origin = _origin(mechanism, driven[0])
-    structure = Structure(
-        len(mechanism.links), ordered, driven, tuple(groups), origin, tuple(wheels)
+    return Structure(
+        len(mechanism.links),
+        _in_order(pairs, order, mechanism),
+        driven,
+        tuple(groups),
+        _origin(mechanism, driven[0]),
+        tuple(wheels),
     )
-    return structure, sorted(attachment.left)
 
 
-def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
+def _left_over(mechanism: Mechanism, left: list[int]) -> _StrangeGroup:
     """Return the refusal of a mechanism whose links are left when no group can come next."""
     names = ", ".join(map(str, left))
     keys = [f"link {number}" for number in left]
     for mesh in mechanism.meshes:
         arms = [number for number in bearers(mechanism.by_number, mesh) if number in left]
         if arms and any(number in left for number in mesh.links):
-            return StructureError(
+            return _StrangeGroup(
                 said(
                     "links {names} are left: a wheel is drawn where another one in mesh with it and the link "
                     "that joins their centres stand already; drive link {arm}, which joins {first} and "
@@ -175,19 +200,7 @@ def _left_over(mechanism: Mechanism, left: list[int]) -> StructureError:
                 ),
                 *keys,
             )
-    other = driven_otherwise(mechanism)
-    if other is not None:
-        return StructureError(
-            said(
-                "links {names} make a group of a class that this board does not draw; driven by link {link} "
-                "the mechanism is of class II, {formula}: write [drive] link = {link}",
-                names=names,
-                link=other.first.link,
-                formula=other.formula,
-            ),
-            "drive.link",
-        )
-    return StructureError(
+    return _StrangeGroup(
         said(
             "links {names} make a group of a class above IV or of a higher order, or are tied to each other "
             "only: this board draws groups of class II (two links, three pairs), of class III where three "

@@ -201,7 +201,7 @@ def _equation(
             known.insert(0, Term(f"{root}_{{{start.name.upper()}}}", True, marks=(pole, start)))
         direction = _direction(line, turned)
         if known:
-            symbol = _relative(root, point, start, line)
+            symbol = _across(known[-1], line) or _relative(root, point, start, line)
             if (point, line.it) in read:
                 symbol = quantity(read[point, line.it], of)
             ends = line.uses[0], point
@@ -211,6 +211,12 @@ def _equation(
                 direction = f"{sought.direction}, {direction}"
             sought = Term(name, False, direction, (pole, point), line.it)
     return Equation(group, sought, tuple(sides), (pole, point))
+
+
+def _across(known: Term, line: Step) -> str:
+    """Return the letter of the rest of a vector of which the part along the same line is known; "" else."""
+    part = "^{{{}}}".format(line.uses[1].name.strip("()"))
+    return known.symbol.replace(part, "^{r}") if known.symbol.endswith(part) else ""
 
 
 def _relative(root: str, point: Mark, start: Mark, line: Step) -> str:

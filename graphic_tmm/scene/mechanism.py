@@ -170,7 +170,8 @@ class Link:
     )
     near: float | None = key(
         v.ANGLE,
-        "of a plate on three links, which of its places is meant: the direction of its own x axis there",
+        "of a plate on three links, or one that two join to another, which of its places is meant: "
+        "the direction of its own x axis there",
         "-114 deg",
         None,
     )

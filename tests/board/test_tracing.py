@@ -1,4 +1,4 @@
-"""The plate on tracing paper: laid on arcs and guides, or on nothing."""
+"""Plates on tracing paper: laid on arcs and guides, joined by links, or on nothing."""
 
 from __future__ import annotations
 
@@ -7,7 +7,13 @@ import pytest
 
 from graphic_tmm.board.geometry import cis
 from graphic_tmm.board.operations.slots import trace_on_guide_past, trace_past, trace_past_both
-from graphic_tmm.board.operations.tracing import prick, trace, trace_on_guide, trace_on_guides
+from graphic_tmm.board.operations.tracing import (
+    prick,
+    trace,
+    trace_joined,
+    trace_on_guide,
+    trace_on_guides,
+)
 from graphic_tmm.board.values import Arc, Line
 
 rng = np.random.default_rng(40)
@@ -89,3 +95,38 @@ def test_a_plate_is_laid_with_its_guides_where_they_pass(name: str) -> None:
     assert there.mean() > 0.9
     off = np.abs(found.at - answer.at) + 90 * np.abs(found.along - answer.along)
     assert (off[there] < 1e-9).mean() > 0.95
+
+
+def joined() -> tuple[list[np.ndarray], np.ndarray]:
+    """Plates laid at random about pivots, links between them; near angles some degrees off; the answer."""
+    to = rng.uniform(-90, 90, (1, N)) + 1j * rng.uniform(-90, 90, (1, N))
+    at = to + rng.uniform(80, 160, (1, N)) * cis(rng.uniform(0, 360, (1, N)))
+    ways = rng.uniform(0, 360, (2, 1, N))
+    b, c = rng.uniform(40, 90, (2, 1, N))
+    bx, cx = rng.uniform(-60, 60, (2, 1, N))
+    by, cy = rng.uniform(20, 60, (2, 1, N))
+    pins = (b + 0j, bx + 1j * by), (c + 0j, cx + 1j * cy)
+    ends = [
+        start + pin * cis(way)
+        for start, way, two in zip((to, at), ways, pins, strict=True)
+        for pin in two
+    ]
+    links = abs(ends[2] - ends[0]), abs(ends[3] - ends[1])
+    off = rng.uniform(-0.2, 0.2, (2, 1, N))
+    return [to, at, b, bx, by, c, cx, cy, *links, ways[0] + off[0], ways[1] + off[1]], cis(ways[1])
+
+
+def test_joined_plates_are_laid_where_both_links_fit() -> None:
+    uses, answer = joined()
+    found = trace_joined.run(*uses)
+    there = np.isfinite(found.along)
+    assert there.mean() > 0.95
+    assert (90 * np.abs(found.along - answer)[there] < 1e-9).mean() > 0.97
+    assert np.abs(found.at - uses[1]).max() == 0.0
+
+
+def test_joined_plates_with_a_link_too_long_are_none() -> None:
+    uses, _ = joined()
+    uses[8] = uses[8] + 1000.0
+    with np.errstate(all="raise", under="ignore", over="ignore", invalid="ignore", divide="ignore"):
+        assert np.isnan(trace_joined.run(*uses).along).all()

@@ -30,6 +30,24 @@ def test_what_is_not_zero_keeps_its_sign_and_size() -> None:
 
 
 @pytest.mark.parametrize(
+    ("value", "told"),
+    [
+        (1096.5, "1097"),
+        (-9532.5, "−9533"),
+        (12344.5, "12345"),
+        (0.25625, "0.2563"),
+        (245.25, "245.3"),
+        (245.24999999999997, "245.3"),
+        (245.2499, "245.2"),
+        (1e300, "1·10³⁰⁰"),
+        (5e-324, "4.941·10⁻³²⁴"),
+    ],
+)
+def test_halves_go_up_as_in_tables(value: float, told: str) -> None:
+    assert number(value, "en") == told
+
+
+@pytest.mark.parametrize(
     ("division", "places"),
     [
         (20.0, 0),

@@ -44,6 +44,15 @@ LARGEST = "windrower"
 """A scene of all that a machine is asked for."""
 COMPOUND = ("project",)
 """Scenes of a mechanism and parts that are scenes of the package by themselves too."""
+PLATES = (
+    "allan-gear",
+    "landing-gear",
+    "planar-platform",
+    "stephenson-gear",
+    "swinging-screen",
+    "tipper-hoist",
+)
+"""Scenes with plates on three legs."""
 
 
 def _has_mechanism(folder: Path) -> bool:

@@ -16,7 +16,6 @@ from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Angle
 from graphic_tmm.chapters.forces.loads import Ground
 from graphic_tmm.chapters.forces.plan import Forces, draw_forces
-from graphic_tmm.chapters.forces.statics import inner_pairs
 from graphic_tmm.chapters.forces.task import ForcesTask, Friction, Load
 from graphic_tmm.chapters.kinematics.accelerations import draw_accelerations
 from graphic_tmm.chapters.kinematics.bodies import Positions
@@ -64,7 +63,7 @@ def places(structure: Structure, positions: Positions) -> dict[str, str]:
         for own, leg in zip(closing.group.legs, closing.legs, strict=True):
             if own.pair.kind == "P":
                 found[own.pair.name] = closing.pin_letter(leg)
-        for pair in inner_pairs(closing):
+        for pair in closing.group.inner_pairs:
             if pair.kind == "P":
                 leg = next(one for one in closing.legs if one.link in pair.links)
                 found[pair.name] = closing.pin_letter(leg)

@@ -25,33 +25,36 @@ FRAME = {"O": 0j, "D": 0.3 - 0.05j, "E": 0.42 + 0.12j}
 BEGUN = math.radians(-114.0)
 """How BC stands at 0°, nearly."""
 OMEGA = 10.0
-SCENE = """
-title = "Triad"
-language = "{language}"
+TRIAD = """
 [frame]
 O = [0, 0]
 D = [0.3, -0.05]
 E = [0.42, 0.12]
 [[link]]
 number = 1
-points = {{ O = [0, 0], A = [0.05, 0] }}
+points = { O = [0, 0], A = [0.05, 0] }
 [[link]]
 number = 2
-points = {{ A = [0, 0], B = [0.2, 0] }}
+points = { A = [0, 0], B = [0.2, 0] }
 [[link]]
 number = 3
-points = {{ B = [0, 0], C = [0.12, 0], F = [0.07, 0.08] }}
+points = { B = [0, 0], C = [0.12, 0], F = [0.07, 0.08] }
 near = "-114 deg"
 [[link]]
 number = 4
-points = {{ C = [0, 0], D = [0.18, 0] }}
+points = { C = [0, 0], D = [0.18, 0] }
 [[link]]
 number = 5
-points = {{ F = [0, 0], E = [0.2, 0] }}
+points = { F = [0, 0], E = [0.2, 0] }
 [drive]
 link = 1
 speed = 10
-positions = 12
+"""
+"""His mechanism as a scene, but for how many positions it has."""
+SCENE = f"""
+title = "Triad"
+language = "{{language}}"
+{TRIAD.replace("{", "{{").replace("}", "}}")}positions = 12
 accelerations = [0, 1, 2, 3]
 [hand]
 ruler = "0.5 mm"

@@ -144,12 +144,8 @@ class Bodies:
             if body == 0:
                 return 0j, 0j, 0.0, 0.0
             at = 3 * body - 3
-            return (
-                complex(*q[at : at + 2]),
-                complex(*v[at : at + 2]),
-                float(q[at + 2]),
-                float(v[at + 2]),
-            )
+            place, speed = (complex(*row[at : at + 2]) for row in (q, v))
+            return place, speed, float(q[at + 2]), float(v[at + 2])
 
         for pin in self.pins:
             gain = 0j
@@ -322,7 +318,7 @@ def machine(
         one.pin(letter, leg, plate)
     for k in range(len(pins), 3):
         outer, on = one.held[0] if before and k == len(pins) else ("DE"[k - 1], 0)
-        if on == 0:
+        if not on:
             one.fix(outer, world["BCF"[k]] + one.polar(0.0, 0.1))
         _slotted(one, plate, outer, on, f"s{k}")
     if behind:
@@ -354,8 +350,7 @@ def _slotted(one: Assembly, plate: int, outer: str, on: int, name: str) -> None:
     own, bend = (through - at) * cmath.exp(-1j * angle), way - angle
     start, angle = one.bodies.poses[slider]
     off = (start - through) * cmath.exp(-1j * way)
-    foot = through + off.real * cmath.exp(1j * way)
-    point = (foot - start) * cmath.exp(-1j * angle)
+    point = (through - start) * cmath.exp(-1j * angle)
     one.bodies.guides.append(Guide(slider, point, owner, own, bend))
     one.rails.setdefault(owner, []).append(
         f"{name} = {{ through = [{own.real!r}, {own.imag!r}], "

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-Complexes = npt.NDArray[np.complex128]
-Reals = npt.NDArray[np.float64]
+Complexes = npt.NDArray[np.complexfloating]
+Reals = npt.NDArray[np.floating]
 Off = Callable[[Complexes, complex], Complexes]
 STEP = 1e-30
 NUDGE = 1e-4

@@ -138,42 +138,53 @@ class Square(NamedTuple):
     l2: Reals
 
 
+def first_joined(square: Square, lies: Line) -> Arc:
+    """Return the arc of the first link about its pin on the plate about ``to``."""
+    return Arc(square.to + square.b1 * lies.at, square.l1)
+
+
+def second_joined(square: Square, lies: Line) -> Arc:
+    """Return the arc of the second link about its pin on the plate about ``to``."""
+    return Arc(square.to + square.b2 * lies.at, square.l2)
+
+
 def square_off(square: Square, lies: Line) -> Complexes:
-    """Return how far the ends of both links, held at one plate, are outside the pins of the other."""
-    first, second = square_arcs(square, lies)
+    """Return how far the pins of the plate about ``at`` are outside the arcs of both links."""
     at_c1, at_c2 = square.at + square.c1 * lies.along, square.at + square.c2 * lies.along
-    return vector(arc_off(at_c1, first), arc_off(at_c2, second))
-
-
-def square_arcs(square: Square, lies: Line) -> tuple[Arc, Arc]:
-    """Return the arcs of both links about their pins on the plate about ``to``."""
-    b1, b2 = square.to + square.b1 * lies.at, square.to + square.b2 * lies.at
-    return Arc(b1, square.l1), Arc(b2, square.l2)
-
-
-def square_grows(square: Square, lies: Line) -> tuple[Reals, Reals, Reals, Reals]:
-    """Return how the first link would grow as each plate turns, by ``at`` and ``along``; then the second."""
-    first, second = square_arcs(square, lies)
-    n1 = arc_normal(square.at + square.c1 * lies.along, first)
-    n2 = arc_normal(square.at + square.c2 * lies.along, second)
-    swing, turn = lies.at * 1j, lies.along * 1j
-    return (
-        -along(square.b1 * swing, n1),
-        along(square.c1 * turn, n1),
-        -along(square.b2 * swing, n2),
-        along(square.c2 * turn, n2),
+    return vector(
+        arc_off(at_c1, first_joined(square, lies)), arc_off(at_c2, second_joined(square, lies))
     )
+
+
+def grows(pins: Complexes, others: Complexes, along_it: Complexes) -> Complexes:
+    """Return how a link would grow as the plate about ``to`` turns; imaginary, as that about ``at`` does."""
+    return vector(-along(pins * 1j, along_it), along(others * 1j, along_it))
+
+
+def first_grows(square: Square, lies: Line) -> Complexes:
+    """Return how the first link would grow as the plates turn, see `grows`."""
+    c1 = square.c1 * lies.along
+    way = arc_normal(square.at + c1, first_joined(square, lies))
+    return grows(square.b1 * lies.at, c1, way)
+
+
+def second_grows(square: Square, lies: Line) -> Complexes:
+    """Return how the second link would grow as the plates turn, see `grows`."""
+    c2 = square.c2 * lies.along
+    way = arc_normal(square.at + c2, second_joined(square, lies))
+    return grows(square.b2 * lies.at, c2, way)
 
 
 def square_held(square: Square, lies: Line) -> Reals:
     """Return how well the plates are held, per area: 0 where they can move."""
-    first_at, first_along, at, along_ = square_grows(square, lies)
-    return first_at * along_ - at * first_along
+    return wedge(first_grows(square, lies), second_grows(square, lies))
 
 
 def on_links(lies: Line, square: Square) -> Line:
     """Return how two plates lie after one correction, joined by two links."""
-    return _both_turned(lies, square_off(square, lies), *square_grows(square, lies))
+    one, two = first_grows(square, lies), second_grows(square, lies)
+    off = square_off(square, lies)
+    return _both_turned(lies, off, one.real, one.imag, two.real, two.imag)
 
 
 def square_size(square: Square) -> Reals:

@@ -66,16 +66,30 @@ class Solution(NamedTuple):
         return Chain(draft, mu, start)
 
 
-class Polygon(NamedTuple):
-    """A polygon of forces as drawn: of what, its scale, its sides in order.
+class Parted(NamedTuple):
+    """What the first of two plates does to the links that join them, as parted in the polygon of the group.
 
-    ``inside``: sides that part what acts in the inner pairs of two plates.
+    ``plate``: the sides of all else that acts on it; ``sides``: what it does, the two last along the links;
+    ``carried``: the loads of the first link once more.
     """
+
+    plate: tuple[Side, ...]
+    sides: tuple[Side, ...]
+    carried: tuple[Side, ...]
+
+
+class Polygon(NamedTuple):
+    """A polygon of forces as drawn: of what, its scale, its sides in order, what is parted in it."""
 
     of: Solution
     mu: Mark
     sides: tuple[Side, ...]
-    inside: tuple[Side, ...] = ()
+    parted: Parted | None = None
+
+    @property
+    def inside(self) -> tuple[Side, ...]:
+        """The sides that part what acts in the inner pairs."""
+        return () if self.parted is None else (*self.parted.sides, *self.parted.carried)
 
     @property
     def view(self) -> str:

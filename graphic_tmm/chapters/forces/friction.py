@@ -20,7 +20,7 @@ from graphic_tmm.board.values import Number
 from graphic_tmm.chapters.forces import words as why
 from graphic_tmm.chapters.forces.detached import Reaction
 from graphic_tmm.chapters.forces.loads import Couple, Force
-from graphic_tmm.chapters.forces.statics import inner_pairs, inside
+from graphic_tmm.chapters.forces.statics import inside
 from graphic_tmm.chapters.forces.task import Friction
 from graphic_tmm.chapters.forces.unknowns import Slope, links_of
 from graphic_tmm.chapters.kinematics.bodies import Positions
@@ -76,7 +76,7 @@ def joints(closings: tuple[AnyClosing, ...], pairs: Iterable[DrivenPair]) -> tup
     for closing in groups_of(closings, "forces"):
         for leg, own in zip(closing.legs, closing.group.legs, strict=True):
             found.append(Joint(own.pair, (links_of(leg)[0], leg.body), closing))
-        for pair, (pushes, pushed) in zip(inner_pairs(closing), inside(closing), strict=True):
+        for pair, (pushes, pushed) in zip(closing.group.inner_pairs, inside(closing), strict=True):
             found.append(Joint(pair, (pushed, pushes), closing))
     return tuple(found)
 

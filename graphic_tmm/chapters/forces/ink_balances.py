@@ -73,6 +73,8 @@ def _leg_rows(writer: Writer, made: Forces, solved: Solved) -> Iterator[Row]:
             continue
         heading, of = _heading(hinged), _bearing(_sum(made, solved, total), hinged.forces)
         tangent = solved.tangents.get(leg.link)
+        for force in hinged.forces:
+            yield from _turned(writer, force)
         if tangent is not None:
             sought = Sought(tangent.letter, tangent.value, tangent.arm, -1, "N")
             for parts in writer.sought(heading, of, sought, solved.figure.mu):
@@ -88,6 +90,15 @@ def _heading(hinged: Hinged) -> str:
     """Return what a sum of moments of a leg is called: by its inner end, and its links."""
     links = ",".join(map(str, hinged.links))
     return f"ΣM_{{{hinged.pin.name}}}^{{({links})}}"
+
+
+def _turned(writer: Writer, force: Force) -> Iterator[Row]:
+    """Yield what a link does to a plate where that is the reverse of what was found before."""
+    step = writer.seen.by_mark[force.value]
+    if step.op is reversed_:
+        found = f"−{writer.letter(step.uses[0].name)}"
+        told = f"{writer.signed(force.value)} {unit('N', writer.language)}"
+        yield Row([f"{writer.letter(force.letter)} = {found} = {told}"], force.value)
 
 
 def _bearing(of: Sum, forces: Iterable[Force]) -> Sum:

@@ -67,7 +67,9 @@ class _Sides:
         laid = [s for s in polygon.sides if s[2] not in self.own or {*s[1:]} in known]
         ends = {(tail, head) for _, tail, head in (*laid, *polygon.inside)}
         self.across = {r.length: r for r in reactions if (r.tail, r.head) not in ends}
-        self.laid = {frozenset(side[1:]): side for side in (*polygon.sides, *polygon.inside)}
+        # of two plates one side is laid off from its head
+        self.laid = {side[:0:-1]: side for side in polygon.inside}
+        self.laid |= {side[1:]: side for side in (*polygon.sides, *polygon.inside)}
         self.inside = set(polygon.inside)
         self.found = [side for side in polygon.sides if side[2] not in self.own]
         self.closes = not any(step.op is meet for step in seen.steps)
@@ -85,7 +87,7 @@ class _Sides:
     def side(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:
         """A known side, laid off; its arrow."""
         start = seen.by_mark[step.uses[0]].uses[0]
-        side = self.laid.get(frozenset((start, step.it)))
+        side = self.laid.get((start, step.it))
         if side is not None:
             yield from self.arrow(*side, k, "thin" if side in self.inside else "main")
 
@@ -94,7 +96,7 @@ class _Sides:
         reaction = self.across.get(step.it)
         if reaction is not None:
             ends = reaction.tail, reaction.head
-            pen = "main" if frozenset(ends) in self.laid else "medium"
+            pen = "main" if {ends, ends[::-1]} & self.laid.keys() else "medium"
             yield from self.arrow(reaction.letter, *ends, k, pen)
 
     def met(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:

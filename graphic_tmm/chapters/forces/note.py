@@ -161,7 +161,8 @@ class ForcePage(Page[Forces]):
         yield from self._moments(rows)
         yield self.says(CLOSED if scaled else IDLE)
         if scaled:
-            yield Display((Formula((Symbol(vectors_of(self.drawn, polygon, self.language)),)),))
+            vectors = vectors_of(self.drawn, polygon, self.language)
+            yield Display(tuple(Formula((Symbol(one),)) for one in vectors))
         yield from blocks[1:]
 
     def _moments(self, rows: Iterator[object]) -> Iterator[Block]:

@@ -27,10 +27,12 @@ from graphic_tmm.chapters.forces.unknowns import (
     unknown_line,
 )
 from graphic_tmm.chapters.kinematics.closings import (
+    AnyClosing,
     ClosingLeg,
     GuideLeg,
     PinLeg,
     PlateClosing,
+    SpecialClosing,
     SquareClosing,
 )
 
@@ -59,6 +61,24 @@ class Special(NamedTuple):
     forces: tuple[Force, ...]
     couples: tuple[Couple, ...] = ()
     third: Third | None = None
+
+
+def solve_special(
+    figure: Detached,
+    closing: AnyClosing,
+    acting: Acting,
+    slopes: Slopes,
+    turning: Mapping[int, Mark | None],
+    tangents: Mapping[int, Tangent],
+) -> tuple[Special | None, tuple[Hinged, ...]]:
+    """Find what the special point of a group gives; of two plates, these as hinged there."""
+    match closing:
+        case PlateClosing():
+            return solve_third(figure, closing, acting, slopes, turning, tangents), ()
+        case SquareClosing():
+            return hinge_plates(figure, closing, slopes, tangents)
+        case _:
+            return None, ()
 
 
 def solve_third(
@@ -113,6 +133,8 @@ def hinge_plates(
     across = [
         _across(figure, one, tangents[one.link]) for one in closing.joining if one.link in tangents
     ]
+    for force in across:
+        figure.arm(force.letter, point, force.line)
     back = [_reversed(figure, first.link, force) for force in across]
 
     def arm(leg: PinLeg) -> Mark:
@@ -139,7 +161,7 @@ def hinge_plates(
 
 def _crossing(
     figure: Detached,
-    closing: PlateClosing | SquareClosing,
+    closing: SpecialClosing,
     slopes: Slopes,
     tangents: Mapping[int, Tangent],
     because: str,
@@ -155,7 +177,7 @@ def _crossing(
 
 def _line(
     figure: Detached,
-    closing: PlateClosing | SquareClosing,
+    closing: SpecialClosing,
     leg: ClosingLeg,
     slopes: Slopes,
     tangents: Mapping[int, Tangent],

@@ -14,13 +14,14 @@ from graphic_tmm.chapters.forces.detached import (
     Chain,
     Detached,
     Pair,
+    Parted,
     Polygon,
     Reaction,
     Side,
     Solution,
 )
 from graphic_tmm.chapters.forces.loads import Acting, Couple, Force
-from graphic_tmm.chapters.forces.special import Special, hinge_plates, solve_third
+from graphic_tmm.chapters.forces.special import Special, solve_special
 from graphic_tmm.chapters.forces.unknowns import (
     Hinged,
     Slopes,
@@ -35,8 +36,7 @@ from graphic_tmm.chapters.kinematics.closings import (
     ClosingLeg,
     GuideLeg,
     PinLeg,
-    PlateClosing,
-    SquareClosing,
+    last_legs,
 )
 from graphic_tmm.mechanism.groups import Pair as KinematicPair
 
@@ -64,34 +64,13 @@ class Solved(NamedTuple):
     @property
     def pairs(self) -> tuple[KinematicPair, ...]:
         """The pairs in which its reactions act, in their order."""
-        return (*(leg.pair for leg in self.closing.group.legs), *inner_pairs(self.closing))
-
-
-def inner_pairs(closing: AnyClosing) -> tuple[KinematicPair, ...]:
-    """Return the inner pairs of a group: that of both links, of a plate with its legs, of links with plates."""
-    match closing:
-        case Closing():
-            return (closing.group.inner,)
-        case SquareClosing():
-            return tuple(pair for ends in closing.group.inner for pair in ends)
-        case _:
-            return closing.group.inner
+        return (*(leg.pair for leg in self.closing.group.legs), *self.closing.group.inner_pairs)
 
 
 def inside(closing: AnyClosing) -> tuple[Pair, ...]:
     """Return the links that its inner pairs join: in each the one that pushes, and the one that is pushed."""
-    if isinstance(closing, SquareClosing):
-        first, second = closing.group.plates
-        return tuple(ends for k in closing.group.joining for ends in ((first, k), (k, second)))
-    ends = [links_of(leg)[-1] for leg in closing.legs]
-    if isinstance(closing, Closing):
-        return ((ends[0], ends[1]),)
-    return tuple((end, closing.group.plate) for end in ends)
-
-
-def last_legs(closing: AnyClosing) -> tuple[ClosingLeg, ClosingLeg]:
-    """Return the legs whose unknown sides close a polygon: that of the first leg is its last."""
-    return closing.crossing if isinstance(closing, PlateClosing) else closing.legs
+    ends = {leg.link: links_of(leg)[-1] for leg in closing.legs}
+    return tuple((ends.get(one, one), ends.get(two, two)) for one, two in closing.group.inside)
 
 
 class _Stands(NamedTuple):
@@ -125,27 +104,24 @@ def solve_group(
     turning, tangents = dict[int, Mark | None](), dict[int, Tangent]()
     hinged = tuple(Hinged(k, closing.pin(k), summed_links(closing, k)) for k in closing.arms)
     _balance(figure, acting, hinged, turning, tangents)
-    special = None
-    if isinstance(closing, PlateClosing):
-        special = solve_third(figure, closing, acting, slopes, turning, tangents)
-    elif isinstance(closing, SquareClosing):
-        special, plates = hinge_plates(figure, closing, slopes, tangents)
-        _balance(figure, acting, plates, turning, tangents)
+    third = [leg for leg in closing.legs if leg not in (first, second)]
+    special, plates = solve_special(figure, closing, acting, slopes, turning, tangents)
+    _balance(figure, acting, plates, turning, tangents)
+    if plates:
         first, second = (one.leg for one in plates)
-        hinged += plates
+    hinged += plates
     chain = of.begin(draft)
     start = chain.end
     _across(chain, first, tangents)
     loads = chain.end
     halves = [_lay_loads(chain, acting, links_of(first))]
-    middle = chain.end
+    middle, before = chain.end, len(chain.sides)
     found = dict[int, _Stands]()
-    if isinstance(closing, PlateClosing) and special is not None:
-        _lay_loads(chain, acting, (closing.plate,))
-        found[closing.third.link], special = _third(chain, acting, closing.third, tangents, special)
-    ends = list[Mark]()
-    if isinstance(closing, SquareClosing):
-        ends += [_lay_loads(chain, acting, (one.link,)) for one in closing.joining[::-1]]
+    if special is not None and third:
+        _lay_loads(chain, acting, closing.group.rest)
+        found[third[0].link], special = _third(chain, acting, third[0], tangents, special)
+    joining = closing.arms if plates else ()
+    ends = [_lay_loads(chain, acting, (one.link,)) for one in joining[::-1]]
     behind = chain.end
     halves.append(_lay_loads(chain, acting, links_of(second)[::-1]))
     loaded = chain.end
@@ -159,36 +135,37 @@ def solve_group(
     found[second.link] = _Stands((loaded, top), (behind, top), halves[1])
     letters = [closing_letter(leg, tangents) for leg in (first, second)]
     sides = (*chain.sides, (letters[1], chain.end, top), (letters[0], top, start))
-    inside = tuple[Side, ...]()
-    if isinstance(closing, SquareClosing):
-        inside = _part(chain, closing, acting, tangents, (top, middle, ends[0]), found)
-    reactions = _read(figure, closing, found, turning, rough=rough)
-    drawn = Polygon(figure.of, chain.mu, sides, inside)
+    parted = None
+    if joining:
+        parts = _part(chain, joining, acting, tangents, (top, middle, ends[0]), found)
+        parted = Parted((sides[-1], *sides[:before]), *parts)
+    reactions = _read(figure, closing, found, turning, joining, rough=rough)
+    drawn = Polygon(figure.of, chain.mu, sides, parted)
     rods = _rods(closing, found, second)
     return Solved(closing, reactions, drawn, hinged, turning, tangents, figure, rods, special)
 
 
 def _part(
     chain: Chain,
-    closing: SquareClosing,
+    joining: tuple[ClosingLeg, ...],
     acting: Acting,
     tangents: dict[int, Tangent],
     ends: tuple[Mark, Mark, Mark],
     found: dict[int, _Stands],
-) -> tuple[Side, ...]:
+) -> tuple[tuple[Side, ...], tuple[Side, ...]]:
     """Part what the first plate does to the links that join it to the second; return the sides that do so.
+
+    Then those of the loads of the first link, carried to where it is parted.
 
     ``ends``: of all that it does to both, and where the loads of the second link end; ``found``: where the
     links stand is entered.
     """
-    draft, (first, second), (top, middle, behind) = chain.draft, closing.joining, ends
+    draft, (first, second), (top, middle, behind) = chain.draft, joining, ends
     known, lines = Chain(draft, chain.mu, top, chain.count), list[Mark]()
     corners = list[Mark]()
     for leg, end in ((first, top), (second, middle)):
         known.end = end
-        if leg.link in tangents:
-            known_part = tangents[leg.link]
-            known.add_across(known_part.letter, leg.line, known_part.value, back=leg == second)
+        _across(known, leg, tangents, back=leg == second)
         corners.append(known.end)
         lines.append(unknown_line(draft, leg, known.end, {}, tangents))
     at = draft.draw(meet, str(known.count + 1), *lines, why=why.PLATE_CLOSES)
@@ -198,7 +175,7 @@ def _part(
     found[second.link] = _Stands((at, middle), (at, behind), middle)
     letters = [closing_letter(leg, tangents) for leg in (first, second)]
     parts = (letters[0], corners[0], at), (letters[1], at, corners[1])
-    return (*known.sides, *parts, *carried.sides)
+    return (*known.sides, *parts), tuple(carried.sides)
 
 
 def _lay_loads(chain: Chain, acting: Acting, links: tuple[int, ...]) -> Mark:
@@ -282,8 +259,9 @@ def _balance(
     for leg, pin, links, borne in hinged:
         forces = [force for link in links for force in acting.forces.get(link, [])]
         couples = [couple for link in links for couple in acting.couples.get(link, [])]
-        total = figure.sum(pin, [*forces, *borne], couples, f"ΣM_{leg.link}")
-        turning[leg.link] = total
+        turning[leg.link] = figure.sum(pin, [*forces, *borne], couples, f"ΣM_{leg.link}")
+    for leg, pin, *_ in hinged:
+        total = turning[leg.link]
         if isinstance(leg, PinLeg) and total is not None:
             letter = f"R_{{{leg.body}{links_of(leg)[0]}}}^{{t}}"
             reach = figure.length(leg.pivot, pin)
@@ -292,12 +270,14 @@ def _balance(
             tangents[leg.link] = Tangent(letter, value, reach)
 
 
-def _across(chain: Chain, leg: ClosingLeg, tangents: dict[int, Tangent]) -> None:
-    """Lay a tangential component off, if a leg has one: square to the leg."""
+def _across(
+    chain: Chain, leg: ClosingLeg, tangents: dict[int, Tangent], *, back: bool = False
+) -> None:
+    """Lay a tangential component off, if a leg has one: square to the leg; ``back``: so that it ends there."""
     if leg.link in tangents:
-        start, found = chain.end, tangents[leg.link]
-        chain.add_across(found.letter, leg.line, found.value)
-        tangents[leg.link] = found._replace(side=(start, chain.end))
+        found = tangents[leg.link]
+        chain.add_across(found.letter, leg.line, found.value, back=back)
+        tangents[leg.link] = found._replace(side=chain.sides[-1][1:])
 
 
 def _read(
@@ -305,6 +285,7 @@ def _read(
     closing: AnyClosing,
     found: dict[int, _Stands],
     turning: dict[int, Mark | None],
+    joining: tuple[ClosingLeg, ...],
     *,
     rough: bool,
 ) -> tuple[Reaction, ...]:
@@ -317,10 +298,12 @@ def _read(
         held = leg.body, links_of(leg)[0]
         reactions.append(reaction_of(figure, held, found[leg.link].outer, guide, couple))
     inner = [(leg, found[leg.link].inner) for leg in closing.legs]
-    if isinstance(closing, SquareClosing):
-        stands = [(leg, found[leg.link]) for leg in closing.joining]
+    if joining:
+        stands = [(leg, found[leg.link]) for leg in joining]
         inner = [(leg, ends) for leg, one in stands for ends in (one.outer, one.inner)]
-    for (leg, ends), pair, links in zip(inner, inner_pairs(closing), inside(closing), strict=False):
+    for (leg, ends), pair, links in zip(
+        inner, closing.group.inner_pairs, inside(closing), strict=False
+    ):
         slides = pair.kind == "P"
         guide, couple = (leg.line if rough else None, turning[leg.link]) if slides else (None, None)
         reactions.append(reaction_of(figure, links, ends, guide, couple))

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 import numpy as np
 
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.forces.detached import Reaction
+from graphic_tmm.chapters.forces.detached import Reaction, Side
 from graphic_tmm.chapters.forces.friction import pin_sentences
 from graphic_tmm.chapters.forces.levers import Balanced
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
@@ -164,13 +164,18 @@ def _views(project: Project) -> Mapping[str, list[str]]:
 
 def polygon_equation(drawn: Drawn, view: str, language: str) -> list[str]:
     """Return the vector equation of a polygon, in plain text; before it, in the first view, the shared pins."""
-    equations = [
-        " + ".join(plain(symbol(letter, language)) for letter, _, _ in polygon.sides) + " = 0"
-        for polygon in FORCES_PLAN.on(drawn).polygons
-        if polygon.view == view
-    ]
+    equations = list[str]()
+    for polygon in (one for one in FORCES_PLAN.on(drawn).polygons if one.view == view):
+        equations.append(f"{_sum_of(polygon.sides, language)} = 0")
+        if polygon.parted is not None:
+            both = (_sum_of(one, language) for one in polygon.parted[:2])
+            equations.append(" = ".join(both))
     first = view == FORCES_PLAN.on(drawn).polygons[0].view
     return [*(map(plain, pin_sentences(drawn, language)) if first else ()), *equations]
+
+
+def _sum_of(sides: Iterable[Side], language: str) -> str:
+    return " + ".join(plain(symbol(letter, language)) for letter, _, _ in sides)
 
 
 PROTOCOL = Protocols(views=_views, equations=polygon_equation)

@@ -22,7 +22,7 @@ from graphic_tmm.chapters.forces.load_diagrams import load_views
 from graphic_tmm.chapters.forces.load_strokes import loads_along_guides
 from graphic_tmm.chapters.forces.plan import FORCES_PLAN, Forces
 from graphic_tmm.chapters.forces.spring_diagrams import spring_views, springs_on_plan
-from graphic_tmm.chapters.forces.statics import Solved, last_legs
+from graphic_tmm.chapters.forces.statics import Solved
 from graphic_tmm.chapters.forces.table import force_columns, names_of
 from graphic_tmm.chapters.forces.task import FORCES, LOADS
 from graphic_tmm.chapters.forces.tool import Tool
@@ -30,7 +30,7 @@ from graphic_tmm.chapters.forces.wheels import SolvedWheel
 from graphic_tmm.chapters.forces.words import called
 from graphic_tmm.chapters.indicator.views import indicator_views
 from graphic_tmm.chapters.kinematics.along import AlongGuide, AlongGuides
-from graphic_tmm.chapters.kinematics.closings import ClosingLeg
+from graphic_tmm.chapters.kinematics.closings import ClosingLeg, last_legs
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.scales import reaches
 from graphic_tmm.drawn import Drawn
@@ -151,7 +151,7 @@ def _three(
         nothing = _("all forces are zero: there is no polygon")
         return [with_caption(figure, group, lettered, own, nothing)]
     scale = scale.at(place)
-    lines = (mu_text(scale, language), vectors_of(drawn, polygon, language))
+    lines = (mu_text(scale, language), *vectors_of(drawn, polygon, language))
     rods = FORCES_PLAN.on(drawn).rods(polygon)
     plan = draw_polygon(sides, polygon, reactions, place, scale.value, rods)
     return paired(
@@ -163,18 +163,24 @@ def _three(
     )
 
 
-def vectors_of(drawn: Drawn, polygon: Polygon, language: str) -> str:
+def vectors_of(drawn: Drawn, polygon: Polygon, language: str) -> list[str]:
     """Return the vector equation of a polygon: two lines under what was known, one under a direction.
 
-    Of a side that was drawn along no line not even the direction was known.
+    Of a side that was drawn along no line not even the direction was known. Then the first of two plates alone.
     """
     read = polygon_read(drawn.construction, polygon.view)
-    terms = []
+    terms, found = [], []
     for (letter, *ends), term in zip(polygon.sides, read, strict=True):
         along = term.line is not None and {*ends} == {*term.marks}
         under = r"\uu{{{}}}" if term.known else r"\u{{{}}}" if along else "{}"
         terms.append(under.format(bar(symbol(letter, language))))
-    return " + ".join(terms) + " = 0"
+    if polygon.parted is not None:
+        plate, does = ([one for one, *_ in row] for row in polygon.parted[:2])
+        unders = [r"\uu{{{}}}"] * (len(plate) + len(does) - 2) + [r"\u{{{}}}"] * 2
+        bars = (bar(symbol(letter, language)) for letter in (*plate, *does))
+        both = [under.format(one) for one, under in zip(bars, unders, strict=True)]
+        found = [f"{' + '.join(both[: len(plate)])} = {' + '.join(both[len(plate) :])}"]
+    return [" + ".join(terms) + " = 0", *found]
 
 
 def _wheel_shown(made: Forces, solved: SolvedWheel) -> GroupFigure:
@@ -207,6 +213,10 @@ def group_shown(drawn: Drawn, made: Forces, solved: Solved | SolvedWheel) -> Gro
             unknown.append(Reactive(reaction.letter, at, reaction.tail, reaction.head))
             continue
         unknown.append(_along(solved, leg, at))
+    for leg in (one for one in closing.arms if one not in closing.legs):
+        if (known := solved.tangents.get(leg.link)) is not None and known.side is not None:
+            ends = closing.at(leg), *known.side
+            unknown.append(Reactive(known.letter, *ends, known.value, known.arm, leg.link))
     held = solved.special.couples if solved.special is not None else ()
     return GroupFigure(
         solved.figure,

@@ -22,8 +22,6 @@ from graphic_tmm.chapters.kinematics.acceleration_lines import (
 from graphic_tmm.chapters.kinematics.bodies import Meshed, Positions
 from graphic_tmm.chapters.kinematics.closings import (
     Closing,
-    PlateClosing,
-    SquareClosing,
 )
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
@@ -37,8 +35,7 @@ from graphic_tmm.chapters.kinematics.motion import (
     passive_legs,
     pivot_image,
 )
-from graphic_tmm.chapters.kinematics.special_point import plate_accelerations
-from graphic_tmm.chapters.kinematics.special_square import square_accelerations
+from graphic_tmm.chapters.kinematics.special_groups import special_accelerations
 from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
@@ -68,12 +65,10 @@ def draw_accelerations(
     for one in attached(positions, VIEW):
         if isinstance(one, Meshed):
             _wheel(draft, positions, velocities, plan, one)
-        elif isinstance(one, PlateClosing):
-            plate_accelerations(draft, positions, velocities, plan, one)
-        elif isinstance(one, SquareClosing):
-            square_accelerations(draft, positions, velocities, plan, one)
-        else:
+        elif isinstance(one, Closing):
             _group(draft, positions, velocities, plan, one)
+        else:
+            special_accelerations(draft, positions, velocities, plan, one)
     hang_passive(positions, plan)
     for leg, _, point in passive_legs(positions, plan):
         line = tangential_line(draft, velocities, plan, point.letter, leg)

@@ -106,7 +106,7 @@ class Search:
         least = LEAST * (self.sweep.high - self.sweep.low)
         while (end - nodes[-1][0]) * sense > least:
             here = nodes[-1][0]
-            there = end if step >= abs(end - here) else here + sense * step
+            there = end if step + least >= abs(end - here) else here + sense * step
             reached = self._step(nodes, there, sign)
             if reached is None:
                 step /= 2.0
@@ -202,8 +202,8 @@ def branch_of(search: Search) -> Branch:
     if not places:
         raise StructureError(
             said(
-                "group {name}: its three legs cannot reach link {plate} wherever the drive was tried: change "
-                "lengths",
+                "group {name} cannot be assembled wherever the drive was tried, link {plate} is not reached: "
+                "change lengths",
                 name=name,
                 plate=link,
             )
@@ -250,7 +250,7 @@ def _begun(search: Search, near: Near | None) -> tuple[float, list[Line]]:
     return sweep.low, []
 
 
-def followed(wheels: Wheels, tracing: Tracing) -> Branch:
+def followed_place(wheels: Wheels, tracing: Tracing) -> Branch:
     """Return the place that a scene means of a plate, followed all over what the first drive goes through."""
     draft = wheels.draft
     log, sweep = draft.board.construction(), wheels.pairs[0].sweep

@@ -320,7 +320,9 @@ class GuideLeg(NamedTuple):
 
 ClosingLeg = PinLeg | GuideLeg
 """How a link of a group is held by what is there already."""
-AnyClosing = Closing | PlateClosing | SquareClosing
+SpecialClosing = PlateClosing | SquareClosing
+"""What a group of a class above II leaves: its plans are drawn by a special point."""
+AnyClosing = Closing | SpecialClosing
 """What a group of any class leaves."""
 
 
@@ -356,6 +358,11 @@ def legs_of(closings: Iterable[AnyClosing], room: str) -> Iterator[tuple[AnyClos
     return ((closing, leg) for closing in groups_of(closings, room) for leg in closing.legs)
 
 
+def last_legs(closing: AnyClosing) -> tuple[ClosingLeg, ClosingLeg]:
+    """Return the legs whose unknown sides close a polygon of forces: that of the first leg is its last."""
+    return closing.crossing if isinstance(closing, PlateClosing) else closing.legs
+
+
 def outer_guides(
     closings: Iterable[AnyClosing], room: str
 ) -> Iterator[tuple[AnyClosing, GuideLeg]]:
@@ -378,7 +385,6 @@ def unheld(leg: Never, room: str) -> NoReturn:
 def pair_of(closing: AnyClosing, leg: GuideLeg) -> Pair:
     """Return the sliding pair of a leg."""
     group = closing.group
-    if leg.inner and not isinstance(group, SquareGroup):
-        inner = (group.inner,) if isinstance(group, Group) else group.inner
-        return next(pair for pair in inner if leg.link in pair.links)
+    if leg.inner:
+        return next(pair for pair in group.inner_pairs if leg.link in pair.links)
     return next(k.pair for k in group.legs if k.link == leg.link)

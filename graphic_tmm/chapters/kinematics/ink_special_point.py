@@ -10,8 +10,7 @@ from graphic_tmm.chapters.kinematics.closings import (
     Closing,
     ClosingLeg,
     PinLeg,
-    PlateClosing,
-    SquareClosing,
+    SpecialClosing,
 )
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
@@ -49,7 +48,7 @@ def draw_special_points(
 
 
 def _lines(
-    ink: PositionsInk, closing: PlateClosing | SquareClosing, special: SpecialPoint, index: int
+    ink: PositionsInk, closing: SpecialClosing, special: SpecialPoint, index: int
 ) -> Iterator[Stroke]:
     """Yield the lines that cross, from their pins on, and those that join the point to others of its plates."""
     at = ink.at(special.point, index)
@@ -63,7 +62,7 @@ def _lines(
         yield line("dashed", at, ink.at(other, index))._replace(of=(held.line.slot,))
 
 
-def _ends(closing: PlateClosing | SquareClosing, leg: ClosingLeg) -> Sequence[Mark]:
+def _ends(closing: SpecialClosing, leg: ClosingLeg) -> Sequence[Mark]:
     """Return the marks of a leg's line: its pivot and pin, or the pin that slides."""
     pin = closing.pin(leg)
     return [leg.pivot, pin] if isinstance(leg, PinLeg) else [pin]

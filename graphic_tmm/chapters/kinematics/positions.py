@@ -25,12 +25,11 @@ from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.dyads import Ground, Site, close
 from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
 from graphic_tmm.chapters.kinematics.passive import draw_passive
-from graphic_tmm.chapters.kinematics.plates import close_plate
-from graphic_tmm.chapters.kinematics.squares import close_square
+from graphic_tmm.chapters.kinematics.special_groups import close_special
 from graphic_tmm.chapters.kinematics.tracings import Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Wound
 from graphic_tmm.mechanism import records
-from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, SquareGroup, untreated
+from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, untreated
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.mechanism.wheels import Rolling
 
@@ -109,11 +108,7 @@ def draw_positions(
             ground = Ground(draft, bodies, letters, lengths, rods)
             assert branches is not None
             follow = partial(branches, wheels)
-            match group:
-                case PlateGroup():
-                    closing = close_plate(ground, group, mechanism.by_number, follow)
-                case SquareGroup():
-                    closing = close_square(ground, group, mechanism.by_number, follow)
+            closing = close_special(ground, group, mechanism.by_number, follow)
         else:
             sides |= _take_side(draft, mechanism, group)
             first, second = (mechanism.by_number[leg.link] for leg in group.legs)

@@ -27,7 +27,15 @@ from graphic_tmm.chapters.kinematics.acceleration_lines import (
     tangential_line,
 )
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.closings import ClosingLeg, PinLeg, PlateClosing, SquareClosing
+from graphic_tmm.chapters.kinematics.closings import (
+    AnyClosing,
+    Closing,
+    ClosingLeg,
+    PinLeg,
+    PlateClosing,
+    SpecialClosing,
+    SquareClosing,
+)
 from graphic_tmm.chapters.kinematics.formulas import normal_at
 from graphic_tmm.chapters.kinematics.motion import (
     Base,
@@ -60,7 +68,7 @@ class SpecialPoint(NamedTuple):
         return self.legs[0]
 
 
-def special_point(draft: Draft, closing: PlateClosing | SquareClosing) -> SpecialPoint:
+def special_point(draft: Draft, closing: SpecialClosing) -> SpecialPoint:
     """Draw the special point of a group; once on a board."""
     view = draft.view
     draft.open(SPECIAL_POINTS)
@@ -82,7 +90,7 @@ def special_point(draft: Draft, closing: PlateClosing | SquareClosing) -> Specia
     return drawn_point(log, closing)
 
 
-def drawn_point(log: Construction, closing: PlateClosing | SquareClosing) -> SpecialPoint:
+def drawn_point(log: Construction, closing: SpecialClosing) -> SpecialPoint:
     """Return the special point of a group from the log."""
     name = closing.special
     point, *drawn = log.roles(SPECIAL_POINTS, name)
@@ -98,7 +106,22 @@ def drawn_point(log: Construction, closing: PlateClosing | SquareClosing) -> Spe
     return SpecialPoint(point, (first, second), found)
 
 
-def _line(draft: Draft, closing: PlateClosing | SquareClosing, leg: ClosingLeg) -> Mark:
+def crossing_legs(log: Construction, closing: AnyClosing) -> list[tuple[ClosingLeg, ClosingLeg]]:
+    """Return the legs, two by two, whose lines of velocities meet; of a plate by its special point, too."""
+    if isinstance(closing, Closing):
+        return [closing.legs]
+    special = drawn_point(log, closing)
+    if isinstance(closing, SquareClosing):
+        return [closing.crossing, (special.legs[0], special.legs[1])]
+    return [closing.crossing, (special.leg, closing.third)]
+
+
+def held_along(log: Construction, closing: AnyClosing) -> tuple[ClosingLeg, ...]:
+    """Return the legs along whose lines a group without loads is held: joined plates by the special point."""
+    return drawn_point(log, closing).legs if isinstance(closing, SquareClosing) else closing.legs
+
+
+def _line(draft: Draft, closing: SpecialClosing, leg: ClosingLeg) -> Mark:
     """Return the line of a leg, on which the special point lies: its own, or square to its guide."""
     if isinstance(leg, PinLeg):
         return leg.line

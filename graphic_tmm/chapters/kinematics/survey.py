@@ -14,15 +14,12 @@ from graphic_tmm.board.operations.instruments import measure_along, ray
 from graphic_tmm.board.record import Construction, Mark
 from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.chapters.kinematics.bodies import Positions
-from graphic_tmm.chapters.kinematics.branches import followed
+from graphic_tmm.chapters.kinematics.branches import followed_place
 from graphic_tmm.chapters.kinematics.closings import (
-    AnyClosing,
     Branch,
-    Closing,
     ClosingLeg,
     GuideLeg,
     PinLeg,
-    SquareClosing,
     groups_of,
     unheld,
 )
@@ -35,7 +32,7 @@ from graphic_tmm.chapters.kinematics.positions import (
     side_record,
 )
 from graphic_tmm.chapters.kinematics.sides import standing
-from graphic_tmm.chapters.kinematics.special_point import drawn_point
+from graphic_tmm.chapters.kinematics.special_point import crossing_legs, held_along
 from graphic_tmm.chapters.kinematics.tracings import Tracing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Winding
@@ -154,7 +151,7 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
 
     def branch(wheels: Wheels, tracing: Tracing) -> Branch:
         name = tracing.group.name
-        branches[name] = followed(wheels, tracing)
+        branches[name] = followed_place(wheels, tracing)
         return branches[name]
 
     positions = draw_positions(draft, mechanism, structure, frame, row, wound, branch)
@@ -285,7 +282,7 @@ def least_angle(tried: Survey, ends: tuple[float, float] | None = None) -> float
     crossings = [
         two
         for closing in groups_of(tried.positions.closings, TRANSMISSION)
-        for two in _crossings(tried, closing)
+        for two in crossing_legs(tried.construction, closing)
     ]
     reading = tried.whole([leg.line for two in crossings for leg in two], ends)[1]
     with np.errstate(all="ignore"):
@@ -305,37 +302,20 @@ def transmission(tried: Survey, angles: Reals) -> Reals:
     crank = first.arm_ends(tried.positions)
     closed = tried.velocities.closed
     groups = [(c, closed[c.group.name]) for c in groups_of(tried.positions.closings, TRANSMISSION)]
-    crossings = [two for closing, _ in groups for two in _crossings(tried, closing)]
+    crossings = [two for closing, _ in groups for two in crossing_legs(tried.construction, closing)]
     lines = [leg.line for two in crossings for leg in two]
     row = angles.astype(np.float64)[None, :]
     reading = tried.at(row, [*crank, *lines, *(image for _, image in groups)])
     found = [np.ones(row.shape), *(_sine(reading, *two) for two in crossings)]
     for closing, image in groups:
         found.append(_speed(reading, image))
-        legs = _along_forces(tried, closing)
+        legs = held_along(tried.construction, closing)
         pinned = (leg for leg in legs if isinstance(leg, PinLeg) or leg.inner)
         hung = [leg.line for leg in pinned if crank and leg.body == first.link]
         arm = reading[crank[1]] - reading[crank[0]] if crank else np.ones_like(row)
         found += [np.abs((np.conj(arm) * reading[line].along).imag) / np.abs(arm) for line in hung]
     shares = np.stack([np.broadcast_to(one, row.shape) for one in found])
     return np.asarray(np.min(shares, axis=0)[0])
-
-
-def _crossings(tried: Survey, closing: AnyClosing) -> list[tuple[ClosingLeg, ClosingLeg]]:
-    """Return the legs, two by two, whose lines of velocities meet; of a plate by its special point, too."""
-    if isinstance(closing, Closing):
-        return [closing.legs]
-    special = drawn_point(tried.construction, closing)
-    if isinstance(closing, SquareClosing):
-        return [closing.crossing, (special.legs[0], special.legs[1])]
-    return [closing.crossing, (special.leg, closing.third)]
-
-
-def _along_forces(tried: Survey, closing: AnyClosing) -> tuple[ClosingLeg, ...]:
-    """Return the legs along whose lines a group without loads is held: joined plates by the special point."""
-    if isinstance(closing, SquareClosing):
-        return drawn_point(tried.construction, closing).legs
-    return closing.legs
 
 
 def _sine(reading: Reading, one: ClosingLeg, other: ClosingLeg) -> Reals:

@@ -29,7 +29,6 @@ from graphic_tmm.language.numbers import number
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain, symbol
 from graphic_tmm.language.units import unit
-from graphic_tmm.mechanism.groups import Group, PlateGroup
 from graphic_tmm.mechanism.records import Extreme
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.lettering.markup import markup
@@ -90,7 +89,7 @@ def _extra(scene: Scene, language: str) -> Iterator[str]:
 def _laid(scene: Scene, language: str) -> Iterator[str]:
     """Say which of its places a plate keeps: how its line stands where the mechanism is shown."""
     mechanism = scene.mechanism
-    if mechanism is None or all(isinstance(one, Group) for one in dissect(mechanism).groups):
+    if mechanism is None or not any(one.plates for one in dissect(mechanism).groups):
         return
     pose = posed(scene)
     at = pose.project.coordinates[0]
@@ -111,9 +110,9 @@ def special_points(scene: Scene, language: str) -> Iterator[str]:
     _ = speaking(language)
     if scene.mechanism is None:
         return
-    plates = [one for one in dissect(scene.mechanism).groups if isinstance(one, PlateGroup)]
-    for one in plates:
-        yield _(_SPECIAL, link=one.plate)
+    for one in dissect(scene.mechanism).groups:
+        if one.plates:
+            yield _(_SPECIAL, name=one.name)
 
 
 def _rows(asked: Rows, language: str) -> Iterator[str]:
@@ -217,7 +216,7 @@ _PLACE = said(
     "Of the places of link {link} the one is drawn that the scheme shows: at {at} its line {line} stands at "
     "{angle} to the x axis; from position to position it goes on without a leap."
 )
-_SPECIAL = said("Assur's special point of link {link} is found; velocities are drawn by it.")
+_SPECIAL = said("Assur's special point of group {name} is found; velocities are drawn by it.")
 _OTHER = said("The other extreme position is drawn as well.")
 _ANGLES = said(
     "The position at the crank's angle {listed} is drawn as well.",

@@ -16,8 +16,6 @@ from graphic_tmm.chapters.kinematics.bodies import Meshed, Positions
 from graphic_tmm.chapters.kinematics.closings import (
     Closing,
     PinLeg,
-    PlateClosing,
-    SquareClosing,
 )
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
@@ -32,8 +30,7 @@ from graphic_tmm.chapters.kinematics.motion import (
     passive_legs,
     pivot_image,
 )
-from graphic_tmm.chapters.kinematics.special_point import plate_velocities
-from graphic_tmm.chapters.kinematics.special_square import square_velocities
+from graphic_tmm.chapters.kinematics.special_groups import special_velocities
 from graphic_tmm.chapters.kinematics.velocity_lines import VelocityLines, leg_line, read_leg, stands
 from graphic_tmm.chapters.kinematics.wheels import attached
 from graphic_tmm.mechanism.records import Mechanism
@@ -67,12 +64,10 @@ def draw_velocities(
     for one in attached(positions, VIEW):
         if isinstance(one, Meshed):
             _wheel(draft, positions, plan, turn, one)
-        elif isinstance(one, PlateClosing):
-            plate_velocities(draft, positions, plan, turn, one)
-        elif isinstance(one, SquareClosing):
-            square_velocities(draft, positions, plan, turn, one)
-        else:
+        elif isinstance(one, Closing):
             _group(draft, positions, plan, turn, one)
+        else:
+            special_velocities(draft, positions, plan, turn, one)
     hang_passive(positions, plan)
     for leg, start, point in passive_legs(positions, plan):
         fixed = start == pole

@@ -16,6 +16,9 @@ Kinematics goes along it, since each group moves as those before it tell it to; 
 the last group is loaded by nothing that comes after. The order of links in the scene changes nothing: of
 the groups that could come next, the one with the smallest numbers comes first.
 
+The class depends on the driving link: below a mechanism of class III or IV stand the other links on the frame
+that would drive it as one of a lower class, each with the formula of structure then.
+
 A passive link (the third of parallel cranks, a second stone) doubles what others hold already: with its pairs W
 would be 0, so it is left out and told; it is drawn where its letters on other links stand. Links welded to
 each other are one link, told as its arms.

@@ -12,16 +12,14 @@ from graphic_tmm.chapters.structure.table import (
     PAIR_HEADS,
     WORDS,
     aside_lines,
-    class_of,
     link_rows,
-    other_drive,
+    otherwise_lines,
     pair_rows,
 )
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.chapters.structure.views_replacing import replacing_views
 from graphic_tmm.language.said import said
 from graphic_tmm.language.symbols import plain
-from graphic_tmm.mechanism.groups import of_two_links
 from graphic_tmm.mechanism.structure import Structure
 from graphic_tmm.note.bricks import in_columns, referred, side_by_side
 from graphic_tmm.note.calculations import without_letters
@@ -56,9 +54,6 @@ TELESCOPED = said(
     "A rod and its cylinder are one link of a group, as long as the drive makes it; in the cylinder the rod "
     "moves with one freedom."
 )
-GROUP = said("Group {name}: class II, order 2, kind {kind}")
-PLATE = said("Group {name}: class III, order 3, the closed figure is link {plate}")
-SQUARE = said("Group {name}: class IV, order 2, a closed figure of four links")
 DRIVEN = said("Driving link {name}: class I")
 DRIVEN_ROD = said("Rod in its cylinder {name}: class I")
 ATTACHED = said("The parts are shown in {} in the order of their attachment; the mobility of each:")
@@ -101,9 +96,9 @@ class StructurePage(Page[Structure]):
         for line in aside_lines(mechanism, structure, language):
             yield paragraph(f"{plain(line)}.")
         yield paragraph(f"{words['formula']}: {structure.formula}.")
-        yield paragraph(f"{words[class_of(structure)]}.")
-        for line in other_drive(mechanism, structure, language):
-            yield paragraph(f"{plain(line)}.")
+        yield paragraph(f"{words[f'class {structure.numeral}']}.")
+        for line in otherwise_lines(mechanism, structure, language):
+            yield paragraph(f"{line}.")
         if found is not None and found.replaced:
             shown = side_by_side(self.figures(*self.pictures))
             yield referred(shown, self.language, REPLACED)
@@ -130,17 +125,12 @@ class StructurePage(Page[Structure]):
         rods = {one.name for one in driven if one.telescopes}
         if rods:
             yield self.says(TELESCOPED)
-        kinds = {group.name: group.kind for group in of_two_links(structure.groups, PARTS)}
-        plates = {one.name: one.plates for one in structure.groups if one.plates}
+        groups = {group.name: group.described for group in structure.groups}
         called = dict.fromkeys(rods, DRIVEN_ROD)
         called |= {one.name: BELTED if one.mesh.belted else WHEEL for one in structure.wheels}
         titles = [
-            self.sentence(GROUP, name=name, kind=kinds[name])
-            if name in kinds
-            else self.sentence(SQUARE, name=name)
-            if len(plates.get(name, ())) == 2
-            else self.sentence(PLATE, name=name, plate=plates[name][0])
-            if name in plates
+            self.sentence(groups[name])
+            if name in groups
             else self.sentence(called.get(name, DRIVEN), name=name)
             for name in found.parts
         ]

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from graphic_tmm.chapters.structure import STRUCTURE
 from graphic_tmm.chapters.structure.record import STRUCTURE_PLAN
 from graphic_tmm.language.catalogue import Tongues, speaking
 from graphic_tmm.language.said import said
-from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, PlateGroup, SquareGroup
+from graphic_tmm.mechanism.groups import AssurGroup, Pair
 from graphic_tmm.mechanism.passive import holds
 from graphic_tmm.mechanism.records import Link, Mechanism
-from graphic_tmm.mechanism.structure import Structure, driven_otherwise, freedoms
+from graphic_tmm.mechanism.structure import CLASSES, Structure, driven_otherwise, freedoms
 from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.paper.blocks import breakable
 from graphic_tmm.paper.drawing import Drawing
@@ -131,10 +131,7 @@ WORDS = Tongues(
         "R index": said("R"),
         "P index": said("P", context="pair"),
         "formula": said("Formula of structure"),
-        "group": said("Group {name}: class II, order 2, kind {kind}"),
-        "class of group": said("Group {name}, class II"),
-        "class of plate": said("Group {name}, class III"),
-        "class of square": said("Group {name}, class IV"),
+        "class of group": said("Group {name}, class {numeral}"),
         "wheel": said("Group {name}: one link, a lower and a higher pair"),
         "class of wheel": said("Wheel {name} with its higher pair"),
         "belted wheel": said(
@@ -144,12 +141,7 @@ WORDS = Tongues(
         "replacing": said("Replacing linkage"),
         "class of link": said("Driving link {name}, class I"),
         "class of rod": said("Rod in its cylinder {name}, class I"),
-        "plate": said("Group {name}: class III, order 3, the closed figure is link {plate}"),
-        "square": said("Group {name}: class IV, order 2, a closed figure of four links"),
         "class IV": said("The mechanism is of class IV: that of its highest group"),
-        "other drive": said(
-            "With link {link} as the driving one the mechanism is of class II: {formula}"
-        ),
         "class III": said("The mechanism is of class III: that of its highest group"),
         "class II": said("The mechanism is of class II: that of its highest group"),
         "class I": said("The mechanism is of class I: it has no groups"),
@@ -264,55 +256,41 @@ def _index(pair: Pair, mechanism: Mechanism, words: Mapping[str, str]) -> str:
     return f"{words[pair.kind + ' index']}_{{{escape(pair_name(pair, mechanism))}}}({joined})"
 
 
-def _group(one: AssurGroup | Rolling, words: Mapping[str, str]) -> str:
+def _group(one: AssurGroup | Rolling, language: str) -> str:
     """Return what a group is, or a wheel: its class, order and kind."""
-    match one:
-        case Group():
-            return words["group"].format(name=one.name, kind=one.kind)
-        case PlateGroup():
-            return words["plate"].format(name=one.name, plate=one.plate)
-        case SquareGroup():
-            return words["square"].format(name=one.name)
-        case _:
-            return words["belted wheel" if one.mesh.belted else "wheel"].format(name=one.name)
+    if isinstance(one, Rolling):
+        kind = "belted wheel" if one.mesh.belted else "wheel"
+        return WORDS[language][kind].format(name=one.name)
+    return speaking(language)(one.described)
 
 
-CLASSES = "I", "II", "III", "IV"
-"""The classes of groups, the highest last; that of a driving link is the first."""
+OTHERWISE = said("Driven by link {link}, it is of class {numeral}: {formula}")
+"""What stands below the table of pairs, and in a note, on a mechanism of a higher class than II."""
 
 
-def class_of(structure: Structure) -> str:
-    """Return the class of a mechanism: the highest one of its groups."""
-    found = (one.formula.partition("(")[0] for one in structure.groups)
-    return f"class {max(found, key=CLASSES.index, default=CLASSES[0])}"
+def otherwise_lines(mechanism: Mechanism, structure: Structure, language: str) -> list[str]:
+    """Return a line on each other link that drives a mechanism of class III or IV as one of a lower class."""
+    if structure.numeral in CLASSES[:2]:
+        return []
+    return [
+        speaking(language)(OTHERWISE, link=one.first.link, numeral=one.numeral, formula=one.formula)
+        for one in driven_otherwise(mechanism)
+        if one.rank < structure.rank
+    ]
 
 
 def structure_lines(mechanism: Mechanism, structure: Structure, language: str) -> tuple[str, ...]:
     """Return mobility, formula of structure, and the kind of each group, as lines of lettering."""
     words = WORDS[language]
-    groups = [_group(one, words) for one in structure.attached]
+    groups = [_group(one, language) for one in structure.attached]
     n, p, p4 = structure.moving, len(structure.pairs), len(structure.wheels)
     w = f"W = {freedoms(n, p, p4)} = {structure.mobility}"
     mobility = f"n = {n}, p_5 = {p}, p_4 = {p4}, {w}"
-    highest = words[class_of(structure)]
+    highest = words[f"class {structure.numeral}"]
     beside = aside_lines(mechanism, structure, language)
+    otherwise = otherwise_lines(mechanism, structure, language)
     formula = f"{words['formula']}: {structure.formula}"
-    return (
-        mobility,
-        *beside,
-        formula,
-        *groups,
-        highest,
-        *other_drive(mechanism, structure, language),
-    )
-
-
-def other_drive(mechanism: Mechanism, structure: Structure, language: str) -> Iterator[str]:
-    """Yield which driving link makes a mechanism of class II that is of a higher one, and its formula then."""
-    other = None if structure.of_class_two else driven_otherwise(mechanism)
-    if other is not None:
-        words = WORDS[language]["other drive"]
-        yield words.format(link=other.first.link, formula=other.formula)
+    return (mobility, *beside, formula, *groups, highest, *otherwise)
 
 
 PROTOCOL = Protocols(views=lambda project: {STRUCTURE: (STRUCTURE,)})

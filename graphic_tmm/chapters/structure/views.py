@@ -25,6 +25,7 @@ from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.fitting.views import Views
 from graphic_tmm.language.numbers import number
+from graphic_tmm.mechanism.groups import numeral
 from graphic_tmm.mechanism.structure import dissect, freedoms
 from graphic_tmm.paper.drawing import Drawing, Ink, line
 from graphic_tmm.paper.figure import body
@@ -106,10 +107,10 @@ def part_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     for name, (n, p5, p4) in parts(structure).items():
         links = [int(one) for one in name.split("-")]
         kind = "rod" if name in rods else "link"
-        if name in groups:
-            kind = ("group", "plate", "square")[len(groups[name].plates)]
+        kind = "group" if name in groups else kind
         kind = ("wheel", "belted wheel")[rolling[name]] if name in rolling else kind
-        told = words[f"class of {kind}"].format(name=name)
+        of = numeral(groups[name]) if name in groups else ""
+        told = words[f"class of {kind}"].format(name=name, numeral=of)
         on = subject(drawn, told, PARTS, name=f"part-{name}")
         view = draw_part(
             on, reaches(drawn), links, groups[name].rods if name in groups else (), drawn.main

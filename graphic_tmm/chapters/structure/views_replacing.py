@@ -17,7 +17,7 @@ from graphic_tmm.chapters.structure.table import WORDS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.subjects import subject, with_caption
 from graphic_tmm.language.numbers import number
-from graphic_tmm.mechanism.structure import dissect, freedoms
+from graphic_tmm.mechanism.structure import CLASSES, dissect, freedoms
 from graphic_tmm.paper.drawing import Drawing, Ink
 from graphic_tmm.paper.figure import body
 from graphic_tmm.paper.labels import Named, lettered, shared
@@ -81,7 +81,7 @@ def replacing_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
         (
             (str(one.rolling.link),),
             (one,),
-            words["class of group"].format(name=one.name),
+            words["class of group"].format(name=one.name, numeral=CLASSES[1]),
             (2, 3, 0),
             one.name,
         )

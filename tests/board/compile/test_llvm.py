@@ -271,6 +271,7 @@ WANDERING = (
     "trace_past",
     "trace_on_guide_past",
     "trace_past_both",
+    "trace_joined",
 )
 """From far off corrections wander by rounding: from near they are compared by whole mechanisms."""
 

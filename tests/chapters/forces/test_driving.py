@@ -166,7 +166,7 @@ def test_a_line_stands_under_each_force_that_is_known_by_its_direction(
 ) -> None:
     work = drawn_of(scene(text, drive + TORQUE))
     group, link = (
-        vectors_of(work, one, "en").removesuffix(" = 0").split(" + ")
+        vectors_of(work, one, "en")[0].removesuffix(" = 0").split(" + ")
         for one in FORCES_PLAN.on(work).polygons
     )
     assert [term[:3] == r"\u{" for term in group] == [False] * (len(group) - 2) + [True, True]
@@ -182,5 +182,5 @@ def test_what_holds_a_stone_has_a_direction_of_its_own_if_nothing_else_acts_on_t
         work = drawn(name)
         groups = FORCES_PLAN.on(work).groups
         (of_stone,) = (one.polygon for one in groups if one.closing.group.links == (2, 3))
-        terms = vectors_of(work, of_stone, "en").removesuffix(" = 0").split(" + ")
+        terms = vectors_of(work, of_stone, "en")[0].removesuffix(" = 0").split(" + ")
         assert terms[-2:] == closing

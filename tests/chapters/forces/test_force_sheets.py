@@ -71,7 +71,7 @@ def summed(strokes: list[Told], mu: float) -> tuple[float, float]:
 
 
 def check_group(view: View, told: View) -> int:
-    """Every ΣM = 0 of a group: what it gives is what its loads, arms and couples come to."""
+    """Every ΣM = 0 about a pin of a group: what it gives is what its loads, arms and couples come to."""
     mu, checked, heading = mu_of(view, "l"), 0, ""
     loads = [s for s in view.strokes if "value" in s.data and "link" in s.data]
     for line in lines(told):
@@ -80,7 +80,7 @@ def check_group(view: View, told: View) -> int:
             continue
         sought = plain(line.split(" ")[0])
         links = re.search(r"\^\(+([\d,]+)\)+ =", heading)
-        if not (sought.endswith("^t") and links):
+        if not (sought.endswith("^t") and links) or heading.startswith("ΣM_W"):
             continue
         printed = result(line)
         reaction = next((s for s in loads if s.data["segment"] == sought), None)

@@ -20,7 +20,7 @@ from graphic_tmm.board.values import Length
 from graphic_tmm.chapters.kinematics.ink_plans import draw_equations
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.views import acceleration_equations, velocity_equations
-from graphic_tmm.mechanism.groups import AssurGroup, Group, PlateGroup
+from graphic_tmm.mechanism.groups import AssurGroup, Group, PlateGroup, SquareGroup
 from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.mechanism.wheels import Rolling
 from graphic_tmm.project import record
@@ -80,11 +80,13 @@ def test_a_plan_without_a_pole_or_not_drawn_has_none() -> None:
 def equated(name: str, plan: str) -> list[AssurGroup | Rolling]:
     """Groups and, on plans of accelerations, wheels: that of velocities reads a wheel off its pitch point.
 
-    A plate has two: that of its special point, that of its third pin.
+    A plate has two: that of its special point, that of its third pin. Of two plates that links join the special
+    point's accelerations have two, for they differ.
     """
     structure = KINEMATICS_PLAN.on(in_usual(name)).structure
     row = structure.groups if plan == "velocities" else structure.attached
-    return [one for group in row for one in (group,) * (1 + isinstance(group, PlateGroup))]
+    twice = (PlateGroup,) if plan == "velocities" else (PlateGroup, SquareGroup)
+    return [one for group in row for one in (group,) * (1 + isinstance(group, twice))]
 
 
 def kind_of(one: AssurGroup | Rolling) -> str:
@@ -92,6 +94,8 @@ def kind_of(one: AssurGroup | Rolling) -> str:
         return "group"
     if isinstance(one, PlateGroup):
         return "plate"
+    if isinstance(one, SquareGroup):
+        return "square"
     return "belted" if one.mesh.belted else "wheel"
 
 
@@ -102,6 +106,7 @@ def test_every_group_has_its_equation_and_two_vectors_known_in_direction_only(
     called = {
         "group": "II({})",
         "plate": "III({})",
+        "square": "IV({})",
         "wheel": "p4({})",
         "belted": "p4({}) by a flexible link",
     }
@@ -139,7 +144,7 @@ def test_the_sides_of_an_equation_are_equal_on_the_plan(name: str, plan: str) ->
                 continue  # a rod's: its Coriolis part and the tangential one lie along one line
             read = [reading[lengths[t.symbol]] for t in parts if t.symbol in lengths]
             unread = [t.marks for t in parts if t.symbol not in lengths]
-            assert not unread or not dissect(work.scene.mechanism).of_class_two
+            assert not unread or dissect(work.scene.mechanism).rank > 1
             squares = sum(np.abs(one) ** 2 for one in read)
             squares = squares + sum(np.abs(reading[b] - reading[a]) ** 2 for a, b in unread)
             assert np.allclose(total, squares, rtol=1e-9, atol=1e-9), equation.text
@@ -209,6 +214,7 @@ def test_no_heading_of_a_group_can_be_read_as_a_parallel(
     heads = {
         "group": {"en": "group {} of class II:", "ru": "группа {} II класса:"},
         "plate": {"en": "group {} of class III:", "ru": "группа {} III класса:"},
+        "square": {"en": "group {} of class IV:", "ru": "группа {} IV класса:"},
         "wheel": {"en": "wheel {} with its higher pair:", "ru": "колесо {} с высшей парой:"},
         "belted": {"en": "wheel {} with its flexible link:", "ru": "колесо {} с гибкой связью:"},
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import cmath
 import math
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -32,7 +33,7 @@ def scene(name: str) -> tmm.Scene:
     return tmm.read(SHEETS / name / "scene.toml")
 
 
-def alike(motion: tmm.Motion, name: str, link: int, row: list[tuple[complex, ...]]) -> None:
+def alike(motion: tmm.Motion, name: str, link: int, row: Sequence[tuple[complex, ...]]) -> None:
     """Hold place, velocity and acceleration of a point against its judge, m, s."""
     tables = motion.places, motion.velocities, motion.accelerations
     for table, due, close in zip(tables, zip(*row, strict=True), (1e-11, 1e-9, 3e-6), strict=True):

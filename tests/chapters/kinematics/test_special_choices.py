@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from support.boards import drawn_of
-from support.gallery import SHEETS
+from support.gallery import PLATES, SHEETS
 from support.plates import machine
 
 from graphic_tmm.chapters.kinematics.closings import PinLeg, PlateClosing
@@ -23,11 +23,10 @@ MACHINES = {
     "a leg on a rod": (2, {"before": True}),
     "a dyad behind": (4, {"behind": True}),
 }
-SHIPPED = ("swinging-screen", "landing-gear")
 
 
 def drawn(name: str, folder: Path) -> Drawn:
-    if name in SHIPPED:
+    if name in PLATES:
         return drawn_of(read(SHEETS / name / "scene.toml"), exact=True)
     seed, how = MACHINES[name]
     path = folder / "scene.toml"
@@ -35,7 +34,7 @@ def drawn(name: str, folder: Path) -> Drawn:
     return drawn_of(read(path), exact=True)
 
 
-@pytest.mark.parametrize("name", [*MACHINES, *SHIPPED])
+@pytest.mark.parametrize("name", [*MACHINES, *PLATES])
 def test_they_move_square_to_both_legs_as_their_pins_let_them(name: str, tmp_path: Path) -> None:
     """A velocity of a point on the line of a leg has along it what the pivot of the leg has."""
     of = drawn(name, tmp_path)

@@ -7,6 +7,7 @@ import math
 import numpy as np
 import pytest
 from support.moved_bodies import held
+from support.plate_by_hand import TRIAD
 from support.plates import followed, machine
 from support.turns import in_turn
 
@@ -34,34 +35,7 @@ def test_a_plate_moves_as_its_bodies_do(seed: int, kind: int) -> None:
     assert held(one, machine(seed, **(KINDS[kind] | {"behind": False}))) > 0
 
 
-REFERENCE = """
-title = "Triad"
-[frame]
-O = [0, 0]
-D = [0.3, -0.05]
-E = [0.42, 0.12]
-[[link]]
-number = 1
-points = { O = [0, 0], A = [0.05, 0] }
-[[link]]
-number = 2
-points = { A = [0, 0], B = [0.2, 0] }
-[[link]]
-number = 3
-points = { B = [0, 0], C = [0.12, 0], F = [0.07, 0.08] }
-near = "-114 deg"
-[[link]]
-number = 4
-points = { C = [0, 0], D = [0.18, 0] }
-[[link]]
-number = 5
-points = { F = [0, 0], E = [0.2, 0] }
-[drive]
-link = 1
-speed = 10
-positions = 12
-accelerations = "all"
-"""
+REFERENCE = f'title = "Triad"{TRIAD}positions = 12\naccelerations = "all"\n'
 
 
 def test_reference_numbers_of_a_plate() -> None:

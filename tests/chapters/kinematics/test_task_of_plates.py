@@ -49,7 +49,7 @@ def test_letters_of_lengths_are_written_with_an_index() -> None:
 
 def test_special_points_are_asked_for_by_their_links(tmp_path: Path) -> None:
     (told,) = special_points(triad(tmp_path), "en")
-    assert told.startswith("Assur's special point of link 3 is found")
+    assert told.startswith("Assur's special point of group 2-3-4-5 is found")
     assert not [*special_points(read(SHEETS / "windrower" / "scene.toml"), "en")]
     assert "Of the places" not in "".join(
         positions(read(SHEETS / "windrower" / "scene.toml"), "en")

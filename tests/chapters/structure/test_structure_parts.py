@@ -12,10 +12,12 @@ from support.mechanisms import sample
 
 from graphic_tmm.chapters.structure import PARTS
 from graphic_tmm.chapters.structure.record import MOBILITY, STRUCTURE_PLAN
+from graphic_tmm.chapters.structure.table import structure_lines
 from graphic_tmm.chapters.structure.views import part_views
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.fitting.fit import fitted
 from graphic_tmm.mechanism.records import Row
+from graphic_tmm.mechanism.structure import dissect
 from graphic_tmm.paper.shapes import shape
 from graphic_tmm.project import record
 from graphic_tmm.scene.read import read
@@ -91,3 +93,33 @@ def test_a_group_with_a_driven_cylinder_is_in_one_piece(name: str) -> None:
     for view in views:
         ink = [shape(stroke).buffer(0.05) for stroke in view.strokes if stroke.part != "number"]
         assert shapely.get_num_geometries(shapely.union_all(ink)) == 1
+
+
+@pytest.mark.parametrize(
+    ("name", "lines"),
+    [
+        (
+            "swinging-screen",
+            (
+                "При ведущем звене 4 механизм II класса: I(4) → II(3-5) → II(1-2)",
+                "При ведущем звене 5 механизм II класса: I(5) → II(3-4) → II(1-2)",
+            ),
+        ),
+        (
+            "landing-gear",
+            (
+                "Driven by link 1, it is of class II: I(1) → II(2-3) → II(4-5)",
+                "Driven by link 3, it is of class II: I(3) → II(1-2) → II(4-5)",
+            ),
+        ),
+        ("windrower", ()),
+    ],
+)
+def test_other_driving_links_stand_below_a_mechanism_of_a_higher_class(
+    name: str, lines: tuple[str, ...]
+) -> None:
+    scene = read(SHEETS / name)
+    assert scene.mechanism is not None
+    structure = dissect(scene.mechanism)
+    shown = structure_lines(scene.mechanism, structure, scene.language)
+    assert tuple(line for line in shown if "I(" in line)[1:] == lines

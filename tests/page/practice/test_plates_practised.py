@@ -10,6 +10,7 @@ import pytest
 from support.benches import Packed, numbers, worked
 from support.plate_by_hand import SCENE
 from support.plates import machine
+from support.squares import square
 
 from graphic_tmm.page.practice.pack import Packing
 from graphic_tmm.page.practice.tasks import sheet_row
@@ -27,6 +28,7 @@ TEXTS = {
     "two along it": lambda: machine(2, slots=2).text,
     "a dyad before": lambda: machine(2, before=True).text,
     "a dyad behind": lambda: machine(4, behind=True).text,
+    "joined plates": lambda: square(0).text,
 }
 TRACINGS = (
     "trace",
@@ -35,6 +37,7 @@ TRACINGS = (
     "trace_past",
     "trace_on_guide_past",
     "trace_past_both",
+    "trace_joined",
 )
 
 
