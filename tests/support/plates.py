@@ -318,7 +318,7 @@ def machine(
         one.pin(letter, leg, plate)
     for k in range(len(pins), 3):
         outer, on = one.held[0] if before and k == len(pins) else ("DE"[k - 1], 0)
-        if on == 0:
+        if not on:
             one.fix(outer, world["BCF"[k]] + one.polar(0.0, 0.1))
         _slotted(one, plate, outer, on, f"s{k}")
     if behind:
@@ -350,8 +350,7 @@ def _slotted(one: Assembly, plate: int, outer: str, on: int, name: str) -> None:
     own, bend = (through - at) * cmath.exp(-1j * angle), way - angle
     start, angle = one.bodies.poses[slider]
     off = (start - through) * cmath.exp(-1j * way)
-    foot = through + off.real * cmath.exp(1j * way)
-    point = (foot - start) * cmath.exp(-1j * angle)
+    point = (through - start) * cmath.exp(-1j * angle)
     one.bodies.guides.append(Guide(slider, point, owner, own, bend))
     one.rails.setdefault(owner, []).append(
         f"{name} = {{ through = [{own.real!r}, {own.imag!r}], "

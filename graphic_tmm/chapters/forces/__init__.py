@@ -18,7 +18,9 @@ cross, in Assur's special point, neither has a moment; so moments of the whole g
 parts of the reactions among them, give what holds the third leg along its line. Then the polygon lacks two
 vectors again, and closes. Each leg stands in it between what holds it and its loads: the side from there to
 there is what it does to the plate. The line of a leg that slides is square to its guide; what turns it about
-its pin the guide holds by a couple.
+its pin the guide holds by a couple. A leg that slides along the plate does to it a force square to the guide,
+with a couple that its own moments about its pivot give; in the polygon its loads and what holds it add up to
+that force.
 
 Two plates that two links join (class IV, `special`) are solved like the two legs of a dyad. Moments of each
 of the links give what holds it across; what it bears along its line passes through the point where the lines

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 import pytest
-from support.moved_bodies import held
+from support.moved_bodies import CLOSE, held
 from support.plate_by_hand import TRIAD
 from support.plates import followed, machine
 from support.turns import in_turn
@@ -65,3 +65,46 @@ def test_a_plate_in_machine_code_moves_as_step_by_step(guides: int, slots: int) 
         size = np.nanmax(np.abs(omega))
         assert np.nanmax(np.abs(fast.omega[link] - omega)) <= 1e-9 * size, link
         assert (np.isnan(omega) == np.isnan(fast.omega[link])).all()
+
+
+SLOTTED = ({"slots": 1}, {"slots": 1, "guides": 1}, {"slots": 2})
+
+
+@pytest.mark.parametrize(("seed", "kind"), [(3, 0), (13, 1), (14, 2)])
+def test_a_plate_that_is_passed_by_is_right_as_far_as_it_goes(seed: int, kind: int) -> None:
+    """Up to where two of its places meet, and nowhere behind that."""
+    one = machine(seed, **SLOTTED[kind])
+    phi, q = followed(one)[-1]
+    step = math.radians(0.25)
+    sign = np.sign(np.linalg.det(one.bodies.equations(q, phi)[1]))
+    while step > 1e-9:
+        there = one.bodies.settle(q, phi + step)
+        if there is not None and sign == np.sign(
+            np.linalg.det(one.bodies.equations(there, phi + step)[1])
+        ):
+            phi, q = phi + step, there
+        else:
+            step /= 2
+    plate = next(link for letter, link in reversed(one.letters) if letter == "B")
+    offs = [-1e-5, -1e-6, 1e-6, 1e-4, 1e-2]
+    with np.errstate(all="raise"):
+        found = tmm.motion(tmm.read(one.text), np.degrees([phi + off for off in offs]), exact=True)
+    for off, omega in zip(offs, found.omega[plate], strict=True):
+        if off > 0:
+            assert math.isnan(omega)
+            continue
+        near = one.bodies.settle(q, phi + off)
+        assert near is not None
+        v, _, bad = one.bodies.rates(near, 10.0)
+        assert abs(omega - v[3 * plate - 1]) <= 10 * CLOSE * bad * np.abs(v).max()
+
+
+def test_a_leg_that_only_slides_is_refused_by_name() -> None:
+    rail = "S = [0.07, 0.08] }\nguides = { z = { through = [0, 0], angle = 0 } }"
+    text = REFERENCE.replace("F = [0.07, 0.08] }", rail)
+    text = text.replace("E = [0.42, 0.12]", 'u = { through = [0, 0], angle = "40 deg" }').replace(
+        "points = { F = [0, 0], E = [0.2, 0] }",
+        'points = { T = [0, 0] }\nslides = [{ on = 3, along = "z" }, { on = "frame", along = "u" }]',
+    )
+    with pytest.raises(tmm.StructureError, match="at most one sliding pair; links 5 do not"):
+        tmm.motion(tmm.read(text), [0.0])

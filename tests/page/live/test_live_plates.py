@@ -55,7 +55,7 @@ def turn(made: Survey, changed: dict[Mark, object]) -> Turn:
     read_off = execute(log, given | row, sizes)
     apart, x, y = (float(np.ravel(read_off[mark])[0]) for mark in sizes)
     plate = made.mechanism.by_number[closing.plate]
-    tracing = PlateTracing(closing.group, plate, tuple(loci), 0.0, apart, complex(x, y))
+    tracing = PlateTracing(closing.group, plate, tuple(loci), 0.0, (apart, complex(x, y)))
     search = Search(tracing, at, closing.branch.sweep)  # type: ignore[arg-type]
     middle = closing.branch.at.size // 2
     begun = float(closing.branch.at[middle])

@@ -23,11 +23,22 @@ TEXTS = {
     "triad": lambda: SCENE.format(language="en"),
     "a guide": lambda: machine(0, guides=1).text,
     "two guides": lambda: machine(2, guides=2).text,
+    "along it": lambda: machine(5, slots=1).text,
+    "along it, and a guide": lambda: machine(8, slots=1, guides=1).text,
+    "two along it": lambda: machine(2, slots=2).text,
     "a dyad before": lambda: machine(2, before=True).text,
     "a dyad behind": lambda: machine(4, behind=True).text,
     "joined plates": lambda: square(0).text,
 }
-TRACINGS = ("trace", "trace_on_guide", "trace_on_guides", "trace_joined")
+TRACINGS = (
+    "trace",
+    "trace_on_guide",
+    "trace_on_guides",
+    "trace_past",
+    "trace_on_guide_past",
+    "trace_past_both",
+    "trace_joined",
+)
 
 
 @cache
