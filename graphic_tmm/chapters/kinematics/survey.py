@@ -153,7 +153,7 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
 
     def branch(wheels: Wheels, tracing: Tracing) -> Branch:
         name = tracing.group.name
-        branches[name] = followed_place(wheels, tracing)
+        tracings[name], branches[name] = tracing, followed_place(wheels, tracing)
         return branches[name]
 
     positions = draw_positions(draft, mechanism, structure, frame, row, wound, branch)
