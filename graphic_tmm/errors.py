@@ -104,22 +104,31 @@ def _shortened(match: re.Match[str]) -> str:
     return f'"{text[:LONGEST]}..."' if len(text) > LONGEST + 3 else match[0]
 
 
+class Picture(NamedTuple):
+    """A way out drawn small: lines from point to point, m; what is written then, by keys of a scene."""
+
+    lines: tuple[tuple[complex, ...], ...]
+    values: tuple[tuple[str, str], ...]
+
+
 class StructureError(TmmError):
     """The links and pairs do not make a mechanism that this board can draw.
 
     ``keys``: those of a scene that it speaks of, as people write them: ``drive.zero``, ``link 3, side``; within
     an item of a list its own key alone. ``says``: the message without its ``head``, the section or the key that
-    stands before it.
+    stands before it. ``pictures``: the ways out, where it lists some that can be drawn.
     """
 
-    def __init__(self, message: str, *keys: str, head: str = "") -> None:
+    def __init__(
+        self, message: str, *keys: str, head: str = "", pictures: tuple[Picture, ...] = ()
+    ) -> None:
         super().__init__(joined(": ", (head, message)) if head else message)
-        self.keys, self.says, self.head = keys, message, head
+        self.keys, self.says, self.head, self.pictures = keys, message, head, pictures
 
     def inside(self, item: str) -> StructureError:
         """Return the error as one of an item of a list, ``load 2``."""
         keys = tuple(key if "." in key else f"{item}, {key}" for key in self.keys)
-        return StructureError(self.says, *(keys or (item,)), head=self.head)
+        return StructureError(self.says, *(keys or (item,)), head=self.head, pictures=self.pictures)
 
 
 class ConstructionError(TmmError):

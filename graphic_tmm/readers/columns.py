@@ -191,6 +191,13 @@ class Choice(NamedTuple):
     hanging: frozenset[str]
 
 
+class Elsewhere(NamedTuple):
+    """What was laid in another of its places: its ``mark``, and what is given of that place."""
+
+    mark: Mark
+    given: Mapping[Mark, NDArray[np.float64]]
+
+
 @dataclass(frozen=True)
 class Readings(Answer):
     """What a chapter knows of readings.
@@ -200,7 +207,7 @@ class Readings(Answer):
     not there. ``named_marks``: marks by plan and the name that machines read.
     ``vectors``: the columns of the vectors that are measured on its plans. ``crossings``: by a point, other
     pairs of lines that meet there, each through two points, or through one along a line. ``choices``: points
-    that may be chosen otherwise.
+    that may be chosen otherwise. ``elsewhere``: what can be laid in other places by mistake.
     """
 
     stands: ClassVar[str] = "views.READINGS"
@@ -213,6 +220,7 @@ class Readings(Answer):
     vectors: Callable[[Drawn], Iterable[Column]] = lambda drawn: ()
     crossings: Callable[[Project], Mapping[Mark, tuple[Crossed, ...]]] = lambda project: {}
     choices: Callable[[Drawn], Iterable[Choice]] = lambda drawn: ()
+    elsewhere: Callable[[Drawn], Iterable[Elsewhere]] = lambda drawn: ()
 
 
 class Former(NamedTuple):

@@ -127,14 +127,17 @@ class Scene(Plans, Hand):
         """Return what a plan refuses with the file, and the keys and the line of which it speaks."""
         told = [key for key in error.keys if key in self.told] or list(error.keys[:1])
         if not told:
-            return StructureError(joined(": ", (self.source, error.args[0])))
+            return StructureError(
+                joined(": ", (self.source, error.args[0])), pictures=error.pictures
+            )
         above = (told[0], told[0].rpartition(", ")[0], told[0].rpartition(".")[0])
         line = next((self.told[key] for key in above if key in self.told), 0)
         place = f"{self.source}:{line}" if line else self.source
         section, _, key = re.sub(r" \d+, ", ".", told[0]).partition(".")
         known = error.head.partition(",")[0] in (section, key)
         says = error.says if known else error.args[0]
-        return StructureError(joined(": ", (place, ", ".join(told), says)), *told)
+        whole = joined(": ", (place, ", ".join(told), says))
+        return StructureError(whole, *told, pictures=error.pictures)
 
     @property
     def shown_places(self) -> frozenset[str]:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from functools import lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.errors import Fault, SceneError, TmmError, printable
+from graphic_tmm.errors import Fault, Picture, SceneError, StructureError, TmmError, printable
 from graphic_tmm.fitting import compose
 from graphic_tmm.fitting.compose import Composed
 from graphic_tmm.fitting.composition import Composition, composition_file, known_composition, text
@@ -115,7 +115,28 @@ def faults(error: TmmError, file: str, speech: Speech) -> tuple[SceneFault, ...]
     place = re.match(rf"{re.escape(printable(file))}(?::(\d+))?: ", says)
     line = int(place[1] or 0) if place else 0
     says = plainly(says[place.end() :] if place else says, speech)
-    return (SceneFault(line, "", says),)
+    found = error.pictures if isinstance(error, StructureError) else ()
+    return (SceneFault(line, "", says, pictures=tuple(_small(found))),)
+
+
+def _small(found: Sequence[Picture]) -> Iterator[dict[str, object]]:
+    """Yield pictures, all of them to one scale, in a square of side 1."""
+    spots = [z for one in found for line in one.lines for z in line]
+    if not spots:
+        return
+    left, low = min(z.real for z in spots), min(z.imag for z in spots)
+    wide, high = max(z.real for z in spots) - left, max(z.imag for z in spots) - low
+    size = max(wide, high) or 1.0
+    corner = complex(left - (size - wide) / 2.0, low - (size - high) / 2.0)
+    for one in found:
+        lines = [
+            [round(x, 4) for z in line for x in _down((z - corner) / size)] for line in one.lines
+        ]
+        yield {"lines": lines, "values": dict(one.values)}
+
+
+def _down(spot: complex) -> tuple[float, float]:
+    return spot.real, 1.0 - spot.imag
 
 
 def _in_words(fault: Fault, speech: Speech) -> SceneFault:

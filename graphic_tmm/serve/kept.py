@@ -15,7 +15,8 @@ from graphic_tmm.serve.limits import KEPT, KEPT_BYTES, LINE
 class SceneFault(NamedTuple):
     """A fault of a scene: its line (0: unknown), its key, what is said of it, what stands on that line.
 
-    ``place``: the key in words, "" where it has none.
+    ``place``: the key in words, "" where it has none. ``pictures``: ways out, each a small picture with what is
+    written by keys then: lines as x, y by turns, downward, in a square of side 1.
     """
 
     line: int
@@ -23,6 +24,7 @@ class SceneFault(NamedTuple):
     text: str
     source: str = ""
     place: str = ""
+    pictures: tuple[dict[str, Any], ...] = ()
 
 
 class KeptSheet(NamedTuple):

@@ -124,8 +124,21 @@ MISTAKES = {
     "acceleration away from the pivot": Mistake(
         put(out=1.0), {(A, "a")}, "a has the opposite sense"
     ),
-    "another place": Mistake(put(places=another_place), {(P, "B"), (P, "C"), (P, "F")}),
-    "another place in one position": Mistake(in_one(another_place), {(P, "B"), (P, "C"), (P, "F")}),
+    "another place": Mistake(
+        put(places=another_place),
+        {(P, "B"), (P, "C"), (P, "F")},
+        "(BC) was laid in another of its places",
+    ),
+    "another place in one position": Mistake(
+        in_one(another_place),
+        {(P, "B"), (P, "C"), (P, "F")},
+        "(BC) was laid in another of its places, at position 3 only",
+    ),
+    "the third leg too long": Mistake(
+        put(size={**LENGTHS, "EF": 0.235}),
+        {(P, "F")},
+        "l_EF, which is given, was taken 1.17",
+    ),
     "plate mirrored": Mistake(put(places=mirrored), {(P, "F")}),
     "a leg too long": Mistake(
         put(size={**LENGTHS, "AB": 0.22}), {(P, "B"), (P, "C"), (P, "F"), (V, "omega2")}

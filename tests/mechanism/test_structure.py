@@ -283,7 +283,10 @@ def by_trying_all_drives(mechanism: Mechanism) -> dict[int, list[set[int]]]:
 @pytest.mark.parametrize("seed", range(3))
 def test_links_that_could_drive_are_those_that_trying_all_drives_gives(seed: int) -> None:
     drawn = [one.mechanism for one in sample(40, seed=seed, dyads=(1, 4))]
-    drawn += [tmm.read(machine(10 * seed + k, guides=k % 3).text).mechanism for k in range(9)]
+    drawn += [
+        tmm.read(machine(10 * seed + k, guides=guides, slots=slots).text).mechanism
+        for k, (guides, slots) in enumerate([(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2)])
+    ]
     drawn += [tmm.read(square(10 * seed + k).text).mechanism for k in range(9)]
     several = 0
     for one in drawn:
@@ -293,4 +296,7 @@ def test_links_that_could_drive_are_those_that_trying_all_drives_gives(seed: int
         }
         assert found == by_trying_all_drives(one)
         several += len(found) > 0
+        of_four = [group for group in dissect(one).groups if len(group.plates) == 2]
+        # each plate of a square on the frame, driven, leaves the other one on three legs
+        assert not of_four or {other.numeral for other in driven_otherwise(one)} == {"III"}
     assert several > len(drawn) // 2

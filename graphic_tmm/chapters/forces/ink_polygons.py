@@ -96,7 +96,7 @@ class _Sides:
         reaction = self.across.get(step.it)
         if reaction is not None:
             ends = reaction.tail, reaction.head
-            pen = "main" if {ends, ends[::-1]} & self.laid.keys() else "medium"
+            pen = "main" if ends in self.laid else "medium"
             yield from self.arrow(reaction.letter, *ends, k, pen)
 
     def met(self, seen: Seen, step: Step, k: int) -> Iterator[Ink]:

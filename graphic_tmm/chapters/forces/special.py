@@ -128,7 +128,7 @@ def hinge_plates(
 
     What holds the links across is known, by link: the first plate bears it, the second one with the links.
     """
-    draft, (first, second) = figure.draft, closing.legs
+    draft, (first, _) = figure.draft, closing.legs
     point, lines = _crossing(figure, closing, slopes, tangents, why.POINT_OF_PLATES)
     across = [
         _across(figure, one, tangents[one.link]) for one in closing.joining if one.link in tangents
@@ -140,7 +140,7 @@ def hinge_plates(
     def arm(leg: PinLeg) -> Mark:
         ends = figure.point(leg.pivot), point
         return figure.once(
-            ("arm", leg),
+            ("arm", leg, point),
             lambda: draft.draw(
                 join, f"({leg.letter}{point.letter})", *ends, why=why.TO_SPECIAL_POINT
             ),
@@ -151,11 +151,11 @@ def hinge_plates(
         leg._replace(line=line, length=figure.length(leg.pivot, point))
         for leg, line in zip(closing.legs, arms, strict=True)
     )
-    joined = tuple(leg.link for leg in closing.joining)
+    rest = tuple(sorted({*closing.group.links} - {first.link}))
     special = Special(point, closing.crossing, (*lines, *arms), (*across, *back))
     return special, (
         Hinged(one, point, (first.link,), tuple(back)),
-        Hinged(other, point, (second.link, *joined), tuple(across)),
+        Hinged(other, point, rest, tuple(across)),
     )
 
 

@@ -43,7 +43,9 @@ def draw_special_points(
         strokes += _lines(ink, closing, special, index)
         strokes.append(circle("thin", at, POINT)._replace(of=(special.point.slot,)))
         named = Named(at, markup(special.point.name), (special.point.slot,), index)
-        letters += lettered([named], on.heights.point, PAIR)
+        letters += lettered(
+            [named, *_normals(ink, closing, special, index)], on.heights.point, PAIR
+        )
     return traces.drawing(on, strokes, letters)
 
 
@@ -60,6 +62,17 @@ def _lines(
     for held in special.legs:
         other = closing.point if held.pivot == special.point else held.pivot
         yield line("dashed", at, ink.at(other, index))._replace(of=(held.line.slot,))
+
+
+def _normals(
+    ink: PositionsInk, closing: SpecialClosing, special: SpecialPoint, index: int
+) -> Iterator[Named]:
+    """Yield the letters of normals to guides, beyond the pin or beyond the point, where equations name them."""
+    at = ink.at(special.point, index)
+    for leg, of in zip(closing.crossing, special.lines, strict=True):
+        if not isinstance(leg, PinLeg):
+            spot = (at + ink.at(closing.pin(leg), index)) / 2.0
+            yield Named(spot, markup(of.name.strip("()")), (of.slot,), index)
 
 
 def _ends(closing: SpecialClosing, leg: ClosingLeg) -> Sequence[Mark]:

@@ -61,6 +61,7 @@ class Survey:
     zero: float = 0.0
     windings: Mapping[int, Winding] = field(default_factory=dict)
     branches: Mapping[str, Branch] = field(default_factory=dict)
+    tracings: Mapping[str, Tracing] = field(default_factory=dict)
 
     @property
     def returning_late(self) -> tuple[str, ...]:
@@ -148,6 +149,7 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
         return windings[number]
 
     branches: dict[str, Branch] = {}
+    tracings: dict[str, Tracing] = {}
 
     def branch(wheels: Wheels, tracing: Tracing) -> Branch:
         name = tracing.group.name
@@ -171,7 +173,17 @@ def survey(mechanism: Mechanism, structure: Structure, zero: float = 0.0) -> Sur
     given = draft.given | {draft.mu_l: 1.0, velocities.mu: 1.0}
     log = draft.board.construction()
     return Survey(
-        mechanism, structure, log, given, positions, velocities, axes, zero, windings, branches
+        mechanism,
+        structure,
+        log,
+        given,
+        positions,
+        velocities,
+        axes,
+        zero,
+        windings,
+        branches,
+        tracings,
     )
 
 

@@ -35,6 +35,8 @@ from graphic_tmm.mechanism.records import Link
 
 Loci = Sequence[Any]
 """What stands when it is laid, at a row of coordinates: the loci of three pins, or both pivots."""
+GUIDE = 0.2
+"""A guide is outlined to either side of its pin for this share of the leg and the plate."""
 
 
 class Groove(NamedTuple):
@@ -93,6 +95,9 @@ class Tracing(Protocol):
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return which of what holds it cross most squarely."""
 
+    def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
+        """Return the group as it lies there, in lines from point to point, m."""
+
 
 @dataclass(frozen=True)
 class PlateTracing:
@@ -140,12 +145,32 @@ class PlateTracing:
         }
         return max(least, key=lambda two: round(least[two], 9))
 
+    def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
+        """Return the plate and its legs, of one that slides a piece of the guide."""
+        b = loci[0].centre + loci[0].radius * lies.at
+        fits = self._fits(loci, lies)
+        pins = [_first(b), *(_first(b + one.arm * lies.along) for one in fits)]
+        way = GUIDE * float(np.ravel(self.size(loci))[0])
+        legs = [(_first(loci[0].centre), pins[0])]
+        for pin, locus, one in zip(pins[1:], loci[1:], fits, strict=True):
+            along = 1j * way * _first(one.normal)
+            legs.append(
+                (_first(locus.centre), pin)
+                if isinstance(locus, Arc)
+                else (pin - along, pin + along)
+            )
+        return (*pins, pins[0]), *legs
+
     def _fits(self, loci: Loci, lies: Line) -> tuple[_Fit, _Fit]:
         b = loci[0].centre + loci[0].radius * lies.at
         second, third = (
             _fit(own, locus, b, lies) for own, locus in zip(self.own, loci[1:], strict=True)
         )
         return second, third
+
+
+def _first(values: Complexes) -> complex:
+    return complex(np.ravel(values)[0])
 
 
 def _fit(own: complex | Groove, locus: Any, b: Complexes, lies: Line) -> _Fit:
@@ -194,6 +219,18 @@ class SquareTracing:
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return the two links: there are no others."""
         return 0, 1
+
+    def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
+        """Return both plates and the links that join them."""
+        to, at = map(_first, loci)
+        other, own = map(_first, lies)
+        b1, b2, c1, c2 = (
+            pivot + one * way
+            for one, (pivot, way) in zip(
+                self.own, ((to, other), (to, other), (at, own), (at, own)), strict=True
+            )
+        )
+        return (to, b1, b2, to), (at, c1, c2, at), (b1, c1), (b2, c2)
 
     def _square(self, loci: Loci) -> Square:
         b1, b2, c1, c2 = (np.array([[one]]) for one in self.own)

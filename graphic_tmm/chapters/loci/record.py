@@ -6,7 +6,7 @@ import cmath
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -23,14 +23,14 @@ from graphic_tmm.board.operations.instruments import (
     strike,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Angle, Arc, Point, Reals, Side
-from graphic_tmm.chapters.kinematics.branches import Search
+from graphic_tmm.board.values import Angle, Arc, Point, Side
 from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.other_places import search_of
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.chapters.kinematics.plates import TRACINGS
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.chapters.kinematics.task import POSITIONS
-from graphic_tmm.chapters.kinematics.tracings import PlateTracing
+from graphic_tmm.chapters.kinematics.tracings import Groove, PlateTracing
 from graphic_tmm.chapters.loci import words as why
 from graphic_tmm.chapters.loci.loosened import ROW, Loosened
 from graphic_tmm.chapters.loci.operations import cross_arc, cross_guide
@@ -223,21 +223,16 @@ def _laid(
     tried: Survey, closing: PlateClosing, coordinate: float
 ) -> tuple[Loosened, list[tuple[complex, complex]]]:
     """Return the plate on two legs at a coordinate, and all places that it has on three."""
-    step = tried.construction.step(closing.root)
-    assert step is not None
-    marks, lengths = step.uses[:3], step.uses[3:6]
-
-    def loci(row: Reals) -> list[Any]:
-        reading = tried.at(row[None, :], marks)
-        return [reading[mark] for mark in marks]
-
-    reading = tried.at(np.array([[coordinate]]), [*marks, *lengths])
-    apart, x, y = (float(reading[one].flat[0]) for one in lengths)
-    link = tried.mechanism.by_number[closing.plate]
-    tracing = PlateTracing(closing.group, link, marks, 0.0, (complex(apart), complex(x, y)))
-    places = Search(tracing, loci, tried.pairs[0].sweep).places(coordinate)
-    there = [type(one)(*(part.flat[0] for part in one)) for one in loci(np.array([coordinate]))]
-    found = Loosened(there[0], there[1], there[2], apart, complex(x, y))
+    search = search_of(tried, closing.group.name)
+    tracing = search.tracing
+    assert isinstance(tracing, PlateTracing)
+    second, third = tracing.own
+    assert not isinstance(second, Groove)
+    assert not isinstance(third, Groove)
+    loci = search.loci(np.array([coordinate]))
+    there = [type(one)(*(part.flat[0] for part in one)) for one in loci]
+    found = Loosened(there[0], there[1], there[2], second.real, third)
+    places = search.places(coordinate)
     return found, [(complex(one.at.flat[0]), complex(one.along.flat[0])) for one in places]
 
 

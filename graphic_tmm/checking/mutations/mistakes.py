@@ -32,6 +32,7 @@ from graphic_tmm.checking.mutations.mutation import (
     FACTOR,
     GIVEN,
     LEFT_OUT,
+    MEETING,
     SENSE,
     WRONG_END,
     Amiss,
@@ -39,6 +40,7 @@ from graphic_tmm.checking.mutations.mutation import (
     measured_last,
 )
 from graphic_tmm.checking.mutations.words import (
+    ANOTHER_PLACE,
     COUNTED,
     DIVIDED,
     EXCHANGED_WITH,
@@ -50,6 +52,7 @@ from graphic_tmm.checking.mutations.words import (
     STANDS,
 )
 from graphic_tmm.drawn import Drawn, DrawnScene
+from graphic_tmm.readers.columns import Readings
 
 Given = Mapping[Mark, object]
 PARTS = (6, 8, 10, 12, 16, 24)
@@ -245,7 +248,18 @@ class Offered:
     def mutations(self) -> tuple[Mutation, ...]:
         """All of them."""
         log, given = self.base.log, self.base.given
-        return (NONE, *mutations(log), *mistaken(log, given))
+        return (NONE, *mutations(log), *mistaken(log, given), *self._elsewhere())
+
+    def _elsewhere(self) -> Iterator[Mutation]:
+        """Yield what was laid in another of its places."""
+        given = self.base.given
+        for chapter in self.board.project.chapters:
+            for one in Readings.of(chapter).elsewhere(self.board):
+                amiss = {
+                    mark.slot: Amiss(mark, 1.0, row - np.asarray(given[mark]))
+                    for mark, row in one.given.items()
+                }
+                yield Mutation(MEETING, ANOTHER_PLACE, {}, amiss, was=one.mark)
 
     @cached_property
     def shares(self) -> Mapping[str, float]:

@@ -57,6 +57,7 @@ NO_GIVEN = said("{was}, which is given, was left out")
 OTHER_END = said("{was} was counted from the other end of {now}")
 GIVEN_TIMES = said("{was}, which is given, was taken {times} times as large")
 EXCHANGED_WITH = said("{was} and {now} were exchanged")
+ANOTHER_PLACE = said("{was} was laid in another of its places")
 DIRECTIONS = said("the directions of {was} and {now} were exchanged")
 
 

@@ -1,6 +1,7 @@
-import { element, filled } from "../../page/web/dom.js";
+import { drawnElement, element, filled } from "../../page/web/dom.js";
 
 /** @typedef {import("./types.js").Fault} Fault */
+/** @typedef {import("./types.js").Picture} Picture */
 /** @typedef {import("./types.js").Words} Words */
 
 /** What is wrong with the file, line by line, and what is to be known of what was drawn. */
@@ -9,11 +10,13 @@ export class Faults {
    * @param {Words} words
    * @param {(key: string) => boolean} has whether there is a field of a key
    * @param {(key: string) => void} go to the field of a key
+   * @param {((values: Record<string, string>) => void) | null} choose write values; null where the file stays
    */
-  constructor(words, has, go) {
+  constructor(words, has, go, choose) {
     this.words = words;
     this.has = has;
     this.go = go;
+    this.choose = choose;
     this.told = "";
     this.element = element("section", { class: "faults" });
     this.element.hidden = true;
@@ -53,6 +56,23 @@ export class Faults {
     }
     if (fault.source) made.append(element("code", {}, fault.source));
     made.append(element("p", {}, fault.text));
+    const pictures = this.choose === null ? [] : (fault.pictures ?? []);
+    if (pictures.length > 0) made.append(element("div", { class: "pictures" }, ...pictures.map((one) => this.picture(one))));
     return made;
+  }
+
+  /**
+   * A way out drawn small; a click writes it.
+   * @param {Picture} one
+   */
+  picture({ lines, values }) {
+    const says = Object.entries(values).map(([key, text]) => `${key.replace(/^.*, /, "")} = ${text}`);
+    const picture = drawnElement("svg", { viewBox: "-0.05 -0.05 1.1 1.1", "aria-hidden": "true" });
+    for (const line of lines) picture.append(drawnElement("polyline", { points: line.join(" ") }));
+    const button = element("button", { type: "button" });
+    button.append(picture, element("span", {}, says[0] ?? ""));
+    button.title = says.join(", ");
+    button.addEventListener("click", () => this.choose?.(values));
+    return button;
   }
 }

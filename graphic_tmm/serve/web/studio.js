@@ -11,7 +11,7 @@ import { keepSeen } from "./scheme/seen.js";
 import { PhotoCheck } from "./photo-check.js";
 import { Sheets } from "./sheets.js";
 import { tabList } from "./tabs.js";
-import { about, drawAgain, follow, schemeAfter } from "./wire.js";
+import { about, drawAgain, follow, schemeAfter, setValues } from "./wire.js";
 
 /** @typedef {import("./types.js").State} State */
 /** @typedef {import("./types.js").Studio} Studio */
@@ -28,7 +28,8 @@ const QUIET = ["", "drawing", "drawn"];
 const MEMORY = `studio ${location.pathname}`;
 const { way = "", place = "" } = remembered();
 
-const OUTDATED = 409;
+const DONE = 200,
+  OUTDATED = 409;
 /** What a scheme is asked of that is the file's, whatever was known of it. */
 const THE_FILE = { text: "", version: "" };
 
@@ -61,12 +62,28 @@ const memory = new Memory(scheme);
 let schemed = "";
 /** The way of looking that was chosen. */
 let looked = "";
-const faults = new Faults(words, (key) => values.has(key), (key) => values.go(key));
+const faults = new Faults(
+  words,
+  (key) => values.has(key),
+  (key) => values.go(key),
+  scene.fixed ? null : (chosen) => void choose(chosen),
+);
 
 const again = element("button", { type: "button", class: "again" }, words["again"] ?? "");
 again.addEventListener("click", drawAgain);
 again.hidden = true;
 told.after(again);
+
+/**
+ * Write values that were chosen together into the file, whatever else it says by now.
+ * @param {Record<string, string>} changes
+ */
+async function choose(changes) {
+  let answer = await setValues(values.version, changes);
+  if (answer.status === OUTDATED && (await values.load())) answer = await setValues(values.version, changes);
+  if (answer.status === DONE) values.version = answer.version;
+  else tell(answer.errors.map((one) => one.text).join(" ") || (words["not sent"] ?? ""));
+}
 
 /** Say something that is read aloud as well. @param {string} text */
 function tell(text) {

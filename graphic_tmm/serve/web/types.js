@@ -2,7 +2,9 @@
  * What the server tells; the names are those of serve/kept.py, serve/form.py and serve/shell.py.
  *
  * @typedef {Record<string, string>} Words
- * @typedef {{line: number, key: string, text: string, source?: string, place?: string}} Fault a fault of the file, with its line; place: its key in words
+ * @typedef {{lines: number[][], values: Record<string, string>}} Picture a way out: lines as x, y by turns; what is written then
+ * @typedef {{line: number, key: string, text: string, source?: string, place?: string, pictures?: Picture[]}} Fault a fault of the
+ *   file, with its line; place: its key in words
  * @typedef {{name: string, hash: string, width: number, height: number}} Sheet its size in mm
  * @typedef {{version: number, text_version: string, ok: boolean, busy: boolean, fresh: boolean, errors: Fault[],
  *   failed: string, warnings: string[], sheets: Sheet[], page: string | null, name?: string}} State fresh: the sheets are the text's; failed: why

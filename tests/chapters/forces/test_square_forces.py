@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import cmath
 import math
 import re
 import tomllib
@@ -15,7 +16,7 @@ from chapters.forces.test_plate_forces import judged, rough
 from support.boards import drawn_of
 from support.free_bodies import Judge
 from support.free_forces import Rough, UnsettledError, statics
-from support.plates import Reals
+from support.plates import Reals, followed
 from support.sheet_reader import lines
 from support.squares import Square, square
 
@@ -94,6 +95,13 @@ TWO_CRANKS = (
     )
 )
 """The pivot of its second plate is on another crank."""
+_LONG = 0.12 + 0.02j
+"""From B to C, and 5/6 of what is from E to F, where both links are parallel."""
+_AT = cmath.rect(0.05, math.pi / 3) - (0.38 + 0.04j)
+_C, _F = (
+    [(_AT + own).real, (_AT + own).imag]
+    for own in (0.14 + 0.117j + _LONG, 0.175 - 0.013j + 1.2 * _LONG)
+)
 SHEETS = {"square": SQUARE, "light": LIGHT, "rough": rough(SQUARE)}
 
 
@@ -168,6 +176,35 @@ def test_each_of_two_cranks_under_two_plates_has_its_lever() -> None:
     for name in (one for one in balance if one.endswith("lever")):
         groups = "P_bal_forces" if name == "P_bal_lever" else name.removesuffix("_lever")
         np.testing.assert_allclose(balance[groups], balance[name], rtol=1e-9)
+
+
+@pytest.mark.parametrize("seed", [0, 7])
+def test_where_the_plates_end_their_way_nothing_is_told(seed: int) -> None:
+    """Up to there forces are right, however large they grow; behind it there are none."""
+    one = square(seed, before=seed % 2 == 1, loaded=True)
+    rows = followed(one.machine)
+    (begin, _), (end, poses) = rows[0], rows[-1]
+    assert end - begin < 2 * math.pi
+    with np.errstate(all="raise"):
+        there = one._replace(machine=one.machine._replace(phi=end))
+        assert errors(one.text, there, poses) <= 1e-8
+        ways = [math.degrees(begin) - 1.0, math.degrees(end) + 1.0]
+        found = graphic_tmm.motion(one.text, ways, plans="forces", exact=True)
+    assert np.isnan([*found.forces.values()]).all()
+    assert np.isnan([*found.balance.values()]).all()
+
+
+def test_where_the_joining_links_are_parallel_nothing_is_told() -> None:
+    """The special point is nowhere then; a hair beside forces are right."""
+    text = (
+        SQUARE.replace("C = [-0.09, 0.165], F = [-0.12, -0.11]", f"C = {_C}, F = {_F}")
+        .replace("C = [0.13285, 0]", f"C = [{abs(_LONG)!r}, 0]")
+        .replace("F = [0.11662, 0]", f"F = [{abs(1.2 * _LONG)!r}, 0]")
+    )
+    with np.errstate(all="raise"):
+        found = graphic_tmm.motion(text, [60.0, 60.001], plans="forces", exact=True)
+    assert all(np.isnan(row[0]) and np.isfinite(row[1]) for row in found.forces.values())
+    judged(text, [60.001, 61.0])
 
 
 def test_two_plates_that_bear_nothing_are_told_to_bear_nothing() -> None:

@@ -85,3 +85,21 @@ def test_in_machine_code_it_moves_as_step_by_step(seed: int) -> None:
         size = np.nanmax(np.abs(omega))
         assert np.nanmax(np.abs(fast.omega[link] - omega)) <= 1e-9 * size, link
         assert (np.isnan(omega) == np.isnan(fast.omega[link])).all()
+
+
+@pytest.mark.parametrize("seed", in_turn(range(60), 6))
+def test_near_where_two_places_meet_it_is_right_or_nothing(seed: int) -> None:
+    one = square(seed)
+    row = followed(one.machine)
+    if row[-1][0] - row[0][0] > 2 * math.pi:
+        return
+    ends = [math.degrees(row[k][0]) for k in (0, -1)]
+    angles = np.concatenate([end + np.linspace(-0.6, 0.6, 241) for end in ends])
+    moved = tmm.motion(tmm.read(one.text), angles, exact=True)
+    for link in one.joining:
+        own = [(a, z) for (a, k), z in one.machine.letters.items() if k == link]
+        first, second = (moved.places[letter, link] for letter, _ in own)
+        off = np.abs(second - first) - abs(own[1][1] - own[0][1])
+        there = np.isfinite(off)
+        assert 0 < there.sum() < there.size
+        assert np.abs(off[there]).max() < 1e-9

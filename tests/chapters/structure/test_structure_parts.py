@@ -112,6 +112,7 @@ def test_a_group_with_a_driven_cylinder_is_in_one_piece(name: str) -> None:
                 "Driven by link 3, it is of class II: I(3) → II(1-2) → II(4-5)",
             ),
         ),
+        ("class-four", ("При ведущем звене 5 механизм III класса: I(5) → III(1-2-3-4)",)),
         ("windrower", ()),
     ],
 )
