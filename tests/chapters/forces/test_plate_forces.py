@@ -354,6 +354,11 @@ def test_a_slider_under_a_plate_bears_as_newton_and_euler_say() -> None:
     judged(TWO_GUIDES, [10.0, 40.0, 55.0])
 
 
+@pytest.mark.parametrize("name", ["along it", "third along it"])
+def test_a_stone_on_a_plate_bears_as_newton_and_euler_say(name: str) -> None:
+    judged(SHEETS[name], [0.0, 20.0, 40.0])
+
+
 def test_where_the_legs_meet_in_one_point_nothing_is_told() -> None:
     """Up to there the lever agrees with the groups, however large forces grow; behind it there are none."""
     ways = [121.0, 122.0, 122.2, 122.25, 122.3, 200.0]
