@@ -24,11 +24,7 @@ export class PhotoCheck {
     this.scene = scene;
     /** What was said last. */
     this.last = "";
-    /** @param {string} text */
-    this.tell = (text) => {
-      this.last = text;
-      tell(text);
-    };
+    this.tell = (/** @type {string} */ text) => tell((this.last = text));
     this.clicks = new Clicks(() => this.change());
     /** @type {File | null} */
     this.file = null;
@@ -216,9 +212,8 @@ export class PhotoCheck {
     const { file, answer } = found;
     if (answer === null || file !== this.file) return this.show();
     this.clicks.take(answer.plans);
-    const text = this.say("photo looked", { n: answer.plans.length });
-    this.prompt.textContent = text;
-    this.tell(text);
+    this.tell(this.say("photo looked", { n: answer.plans.length }));
+    this.prompt.textContent = this.last;
   }
 
   /**
