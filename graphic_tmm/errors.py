@@ -104,7 +104,7 @@ def _shortened(match: re.Match[str]) -> str:
     return f'"{text[:LONGEST]}..."' if len(text) > LONGEST + 3 else match[0]
 
 
-class PlacePicture(NamedTuple):
+class DrawnRemedy(NamedTuple):
     """A way out drawn small: lines from point to point, m; what is written then, by keys of a scene."""
 
     lines: tuple[tuple[complex, ...], ...]
@@ -120,7 +120,7 @@ class StructureError(TmmError):
     """
 
     def __init__(
-        self, message: str, *keys: str, head: str = "", pictures: tuple[PlacePicture, ...] = ()
+        self, message: str, *keys: str, head: str = "", pictures: tuple[DrawnRemedy, ...] = ()
     ) -> None:
         super().__init__(joined(": ", (head, message)) if head else message)
         self.keys, self.says, self.head, self.pictures = keys, message, head, pictures

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, ParamSpec, TypeVar
 
 from graphic_tmm.drawn import DrawnScene
-from graphic_tmm.errors import Fault, PlacePicture, SceneError, StructureError, TmmError, printable
+from graphic_tmm.errors import DrawnRemedy, Fault, SceneError, StructureError, TmmError, printable
 from graphic_tmm.fitting import compose
 from graphic_tmm.fitting.compose import Composed
 from graphic_tmm.fitting.composition import Composition, composition_file, known_composition, text
@@ -119,7 +119,7 @@ def faults(error: TmmError, file: str, speech: Speech) -> tuple[SceneFault, ...]
     return (SceneFault(line, "", says, pictures=tuple(_small(found))),)
 
 
-def _small(found: Sequence[PlacePicture]) -> Iterator[dict[str, object]]:
+def _small(found: Sequence[DrawnRemedy]) -> Iterator[dict[str, object]]:
     """Yield pictures, all of them to one scale, in a square of side 1."""
     spots = [z for one in found for line in one.lines for z in line]
     if not spots:

@@ -19,7 +19,7 @@ from graphic_tmm.chapters.kinematics.closings import Branch
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.tracings import Loci, Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels
-from graphic_tmm.errors import PlacePicture, StructureError
+from graphic_tmm.errors import DrawnRemedy, StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.records import Near, Sweep
 
@@ -241,11 +241,11 @@ def branch_of(search: Search) -> Branch:
 
 def _pictures(
     search: Search, at: float, places: list[Line], own: list[float], where: str
-) -> tuple[PlacePicture, ...]:
+) -> tuple[DrawnRemedy, ...]:
     """Return the places, each with what a scene writes that means it."""
     loci, link = search.loci(np.array([at])), f"link {search.tracing.link.number}"
     return tuple(
-        PlacePicture(
+        DrawnRemedy(
             search.tracing.outline(loci, place),
             ((f"{link}, near", f"{angle:.6g} deg"), (f"{link}, near_at", where)),
         )

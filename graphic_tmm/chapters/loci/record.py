@@ -290,7 +290,7 @@ class _Drawing:
         return point, draft.draw(ray, f"({pin}–{pin})", point, angle)
 
     def _off(self, name: str, spot: complex) -> Mark:
-        return self.draft.draw(place, name, self.axis, *self._offsets(name, spot))
+        return self.draft.draw(place, name, self.axis, *self._coordinates(name, spot))
 
     def _curve(self, k: int, held: list[tuple[Mark, Mark]]) -> Mark:
         """Draw the locus of the third pin on one of its curves."""
@@ -309,7 +309,7 @@ class _Drawing:
         else:
             second = draft.draw(cut, c, held[1][1], arc, side, why=why.BY_ARCS)
         base = draft.draw(join, f"({b}{c})", pin, second)
-        off = self._offsets(self.names[2], of.off)
+        off = self._coordinates(self.names[2], of.off)
         third = draft.draw(place, f, base, *off, why=why.OF_TRIANGLE)
         return draft.draw(french_curve, f"({f}–{f})", third, row=ROW, why=why.LOCUS)
 
@@ -331,11 +331,11 @@ class _Drawing:
         op, both = (cross, (arc, held)) if held.kind is Arc else (cut, (held, arc))
         first = draft.draw(op, f"{at}_{k}", *both, side, why=why.BACK)
         base = draft.draw(join, f"({at}_{k}{f}_{k})", first, pin)
-        x, y = self._offsets(to, along * arm.conjugate() / abs(arm))
+        x, y = self._coordinates(to, along * arm.conjugate() / abs(arm))
         other = draft.draw(place, f"{to}_{k}", base, x, y, why=why.OF_TRIANGLE)
         return (first, other, pin) if near == 0 else (other, first, pin)
 
-    def _offsets(self, name: str, spot: complex) -> tuple[Mark, Mark]:
+    def _coordinates(self, name: str, spot: complex) -> tuple[Mark, Mark]:
         """Return how far a point is along a line, and to the left of it."""
         x, y = (
             self.draft.length(f"{a}_{{{name}}}", size)
