@@ -60,7 +60,7 @@ class _Held(NamedTuple):
         return self.inner.kind == "P"
 
     @property
-    def letter(self) -> str:
+    def pin(self) -> str:
         """The letter of its pin on the plate; of its pivot, where it slides along that."""
         return self.leg.pair.name if self.slid else self.inner.name
 
@@ -69,14 +69,14 @@ class _Held(NamedTuple):
         if self.slid:
             return ground.pivot(self.leg)
         if self.leg.pair.kind == "R":
-            return ground.swung(self.link, self.leg, self.letter)[0]
-        return ground.path(self.leg, self.link.points[self.letter], self.leg.pair.name)
+            return ground.swung(self.link, self.leg, self.pin)[0]
+        return ground.path(self.leg, self.link.points[self.pin], self.leg.pair.name)
 
     def own(self, plate: Body) -> complex | Groove:
         """Return where its pin is from the beginning of the plate's line, m; or the guide of the plate."""
         if not self.slid:
-            return complex(*off_axis(plate, plate.link.points[self.letter]))
-        pivot = self.link.points[self.letter]
+            return complex(*off_axis(plate, plate.link.points[self.pin]))
+        pivot = self.link.points[self.pin]
         height = level(self.inner, self.link.number, pivot) - level(
             self.inner, plate.link.number, plate.at
         )
@@ -91,12 +91,12 @@ class _Held(NamedTuple):
         leg, link = self.leg, self.link
         if isinstance(own, Groove):
             guide = incline_by(ground.draft, self.inner.name, mark, plate.axis, own.bend)
-            ground.sliding(link, self.inner, (self.letter, link.points[self.letter], mark), guide)
+            ground.sliding(link, self.inner, (self.pin, link.points[self.pin], mark), guide)
             return GuideLeg(leg.link, leg.body, guide, True, plate.link.number)
         if locus.kind is Arc:
             opening = ground.draft.uses(locus)[1]
-            return ground.pinned(link, leg, self.letter, mark, opening)
-        ground.sliding(link, leg.pair, (self.letter, link.points[self.letter], mark), locus)
+            return ground.pinned(link, leg, self.pin, mark, opening)
+        ground.sliding(link, leg.pair, (self.pin, link.points[self.pin], mark), locus)
         return GuideLeg(leg.link, leg.body, locus, False, leg.body)
 
 
@@ -109,7 +109,7 @@ def close_plate(
         _Held(links[leg.link], leg, inner)
         for leg, inner in zip(group.legs, group.inner, strict=True)
     ]
-    pins = tuple(one.letter for one in held)
+    pins = tuple(one.pin for one in held)
     loci = [one.locus(ground) for one in held]
     _, second, third = held
     # the line of a plate is that of its first two pins, or goes along the guide of its second leg
@@ -147,7 +147,7 @@ def close_plate(
     draw_points(draft, axis, pins[0])
     ground.bodies[group.plate] = axis
     points = [
-        locus if one.slid else axis.marks[one.letter] for one, locus in zip(held, loci, strict=True)
+        locus if one.slid else axis.marks[one.pin] for one, locus in zip(held, loci, strict=True)
     ]
     legs = [
         one.stand(ground, axis, of, locus, mark)
