@@ -31,7 +31,9 @@ def number(value: float, language: str, digits: int = 4) -> str:
     if not math.isfinite(value):
         return "—"
     told = Decimal(f"{value:.15g}")
-    text = f"{float(Context(digits, ROUND_HALF_UP).plus(told)):.{digits}g}"
+    rounded = float(Context(digits, ROUND_HALF_UP).plus(told))
+    # the largest numbers that there are would be rounded to none
+    text = f"{rounded if math.isfinite(rounded) else value:.{digits}g}"
     mantissa, _, exponent = text.partition("e")
     if exponent:
         power = int(exponent)

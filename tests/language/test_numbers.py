@@ -41,6 +41,7 @@ def test_what_is_not_zero_keeps_its_sign_and_size() -> None:
         (245.2499, "245.2"),
         (1e300, "1·10³⁰⁰"),
         (5e-324, "4.941·10⁻³²⁴"),
+        (1.7974999999999951e308, "1.797·10³⁰⁸"),
     ],
 )
 def test_halves_go_up_as_in_tables(value: float, told: str) -> None:
