@@ -19,6 +19,7 @@ ROOMS = {
         for name in ("choices", "groups", "point", "square")
     ),
     "chapters/forces/special.py",
+    "chapters/free_scale/record.py",
     "chapters/loci/record.py",
 }
 """They draw what these classes alone have: tracings, special points, loci of a plate."""
