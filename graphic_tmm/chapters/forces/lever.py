@@ -6,7 +6,7 @@ to the plan, M·ab/l, or as a pair of forces at the ends of the link's segment. 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 from graphic_tmm.board import roles
@@ -32,7 +32,7 @@ from graphic_tmm.chapters.forces.detached import bare
 from graphic_tmm.chapters.forces.loads import Couple, Force
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.by_drive import ByDrive
-from graphic_tmm.chapters.kinematics.closings import Closing, PinLeg, groups_of
+from graphic_tmm.chapters.kinematics.closings import PinLeg, groups_of, with_plates
 from graphic_tmm.chapters.kinematics.drives.crank import Crank
 from graphic_tmm.chapters.kinematics.drives.pair import DrivenPair
 from graphic_tmm.chapters.kinematics.motion import Motion, pin_image, pivot_image
@@ -285,18 +285,20 @@ def _base(
             start, segment = pivot_image(velocities, wheel.leg), velocities.readings[link]
             end = velocities.pitches[link]
             return _Base(segment, wheel.leg.length, start, end, wheel.leg.line, sense)
-    for closing in groups_of(positions.closings, VIEW):
-        if not isinstance(closing, Closing) and rate in map(
-            velocities.rates.get, closing.group.plates
-        ):
-            arms = special_point(draft, closing).legs
-            leg = next(one for one in arms if rate == velocities.rates.get(one.link))
+    for leg in _arms_of_plates(draft, positions):
+        if rate == velocities.rates.get(leg.link):
             start, end, _ = draft.uses(segment := velocities.readings[leg.link])
             return _Base(segment, leg.length, start, end, leg.line, sense)
-        for one in closing.arms:
-            if isinstance(one, PinLeg) and velocities.rates.get(one.link) == rate:
-                start = velocities.ends.get(one.link) or pivot_image(velocities, one)
-                end = pin_image(velocities, closing, one)
-                segment = velocities.readings[one.link]
-                return _Base(segment, one.length, start, end, one.line, sense)
+    every = groups_of(positions.closings, VIEW)
+    for closing, held in ((one, k) for one in every for k in one.arms):
+        if isinstance(held, PinLeg) and rate == velocities.rates.get(held.link):
+            start = velocities.ends.get(held.link) or pivot_image(velocities, held)
+            end = pin_image(velocities, closing, held)
+            return _Base(velocities.readings[held.link], held.length, start, end, held.line, sense)
     return None
+
+
+def _arms_of_plates(draft: Draft, positions: Positions) -> Iterator[PinLeg]:
+    """Yield the lines of plates to their special points, about which the plans turn them."""
+    for closing in with_plates(positions.closings, VIEW):
+        yield from special_point(draft, closing).legs

@@ -27,7 +27,13 @@ from graphic_tmm.chapters.free_scale import words as why
 from graphic_tmm.chapters.free_scale.formulas import scale_by_speed
 from graphic_tmm.chapters.free_scale.task import ASKED, FREE_SCALE, FreeScaleTask
 from graphic_tmm.chapters.kinematics import words as usual
-from graphic_tmm.chapters.kinematics.closings import ClosingLeg, GuideLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.closings import (
+    ClosingLeg,
+    GuideLeg,
+    PinLeg,
+    PlateClosing,
+    on_three_legs,
+)
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.errors import StructureError
@@ -216,9 +222,9 @@ def _chosen(plans: KinematicPlans, order: FreeScaleTask) -> tuple[PlateClosing, 
 def _plates(plans: KinematicPlans) -> Iterator[tuple[PlateClosing, _Legs]]:
     """Yield plates with legs that could drive, the last leg first: one on the crank pin, two on the frame."""
     crank, frame = plans.pairs[0], plans.mechanism.frame.number
-    for closing in plans.positions.closings:
-        if not isinstance(closing, PlateClosing) or not crank.sweep.turns:
-            continue
+    if not crank.sweep.turns:
+        return
+    for closing in on_three_legs(plans.positions.closings, FREE_SCALE):
         hung = [leg for leg in closing.legs if leg.body == crank.link]
         standing = [leg for leg in closing.legs if leg.body == frame and not _along(leg)]
         if len(hung) == 1 and len(standing) == 2 and _turns(hung[0]):

@@ -345,6 +345,16 @@ def two_legged(closings: Iterable[AnyClosing], room: str) -> Iterator[Closing]:
     return (one for one in groups_of(closings, room) if isinstance(one, Closing))
 
 
+def with_plates(closings: Iterable[AnyClosing], room: str) -> Iterator[SpecialClosing]:
+    """Yield the groups that have plates: those whose place is given, and whose plans have a special point."""
+    return (one for one in groups_of(closings, room) if not isinstance(one, Closing))
+
+
+def on_three_legs(closings: Iterable[AnyClosing], room: str) -> Iterator[PlateClosing]:
+    """Yield the groups of one plate on three legs alone."""
+    return (one for one in with_plates(closings, room) if isinstance(one, PlateClosing))
+
+
 def dyads(closings: Iterable[AnyClosing], room: str) -> Iterator[Closing]:
     """Yield groups of two links; StructureError of one of another class."""
     closings = tuple(closings)

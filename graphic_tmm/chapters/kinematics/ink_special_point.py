@@ -7,14 +7,15 @@ from collections.abc import Iterator, Mapping, Sequence
 from graphic_tmm.board.record import Figure, Mark
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.closings import (
-    Closing,
     ClosingLeg,
     PinLeg,
     SpecialClosing,
+    with_plates,
 )
 from graphic_tmm.chapters.kinematics.ink_positions import PAIR, PositionsInk
 from graphic_tmm.chapters.kinematics.reaches import Reach
 from graphic_tmm.chapters.kinematics.special_point import SpecialPoint, drawn_point
+from graphic_tmm.chapters.kinematics.task import SPECIAL_POINTS
 from graphic_tmm.paper.drawing import Drawing, Ink, Stroke, circle, line
 from graphic_tmm.paper.figure import Manner, figure
 from graphic_tmm.paper.labels import Named, lettered
@@ -35,9 +36,7 @@ def draw_special_points(
     traces = figure(ink.seen, Manner(stays=lambda _, step: False))
     strokes: list[Ink] = [*ink.guides(), *ink.heavy(index)]
     letters = ink.letters((ink.frame.name, *ink.names), index, on.heights.point)
-    for closing in positions.closings:
-        if isinstance(closing, Closing):
-            continue
+    for closing in with_plates(positions.closings, SPECIAL_POINTS):
         special = drawn_point(on.construction, closing)
         at = ink.at(special.point, index)
         strokes += _lines(ink, closing, special, index)

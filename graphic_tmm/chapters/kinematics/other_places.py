@@ -9,7 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.values import Reals
 from graphic_tmm.chapters.kinematics.branches import Search
-from graphic_tmm.chapters.kinematics.closings import Branch, Closing
+from graphic_tmm.chapters.kinematics.closings import Branch, with_plates
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.drawn import Drawn
@@ -56,9 +56,7 @@ def _places(drawn: Drawn) -> Iterator[Elsewhere]:
     if made is None or not row:
         return
     at = np.array([np.nan if one is None else one for one in row])
-    for closing in made.positions.closings:
-        if isinstance(closing, Closing):
-            continue
+    for closing in with_plates(made.positions.closings, PLACES):
         own = closing.branch.near(at)[1]
         there = np.flatnonzero(np.isfinite(own))
         if not there.size:

@@ -11,10 +11,10 @@ from graphic_tmm.board.geometry import wedge
 from graphic_tmm.board.operations.instruments import lay_off
 from graphic_tmm.board.record import Construction, Mark, segment_name
 from graphic_tmm.board.values import Complexes, Length, Line
-from graphic_tmm.chapters.kinematics.closings import ClosingLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.closings import ClosingLeg, PinLeg, PlateClosing, on_three_legs
 from graphic_tmm.chapters.kinematics.motion import Motion
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
-from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS, SPECIAL_POINTS
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.readers.columns import Choice
 
@@ -24,9 +24,7 @@ def special_choices(drawn: Drawn) -> Iterator[Choice]:
     made = KINEMATICS_PLAN.of(drawn.project)
     if made is None:
         return
-    for closing in made.positions.closings:
-        if not isinstance(closing, PlateClosing):
-            continue
+    for closing in on_three_legs(made.positions.closings, SPECIAL_POINTS):
         for plan in (made.velocities, made.accelerations):
             if plan is not None and drawn.row(plan.images.pole.view):
                 yield from _on_plan(drawn, closing, plan)

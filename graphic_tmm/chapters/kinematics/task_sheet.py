@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from graphic_tmm.chapters.kinematics.closings import Closing
+from graphic_tmm.chapters.kinematics.closings import with_plates
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.given import (
     coordinates,
@@ -93,8 +93,8 @@ def _laid(scene: Scene, language: str) -> Iterator[str]:
         return
     pose = posed(scene)
     at = pose.project.coordinates[0]
-    for closing in pose.plans.positions.closings:
-        if not isinstance(closing, Closing) and at is not None:
+    for closing in with_plates(pose.plans.positions.closings, "task"):
+        if at is not None:
             _, plate = closing.branch.near(np.array(at))
             yield speaking(language)(
                 _PLACE,

@@ -24,7 +24,7 @@ from graphic_tmm.board.operations.instruments import (
 )
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle, Arc, Point, Side
-from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.closings import GuideLeg, PinLeg, PlateClosing, on_three_legs
 from graphic_tmm.chapters.kinematics.other_places import search_of
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, chosen
 from graphic_tmm.chapters.kinematics.plates import TRACINGS
@@ -193,7 +193,7 @@ def _arcs(of: Loosened) -> Iterator[Arc]:
 
 def _plate(tried: Survey, order: LociTask) -> PlateClosing:
     """Return the plate that is asked for, on the small board of the mechanism."""
-    plates = [one for one in tried.positions.closings if isinstance(one, PlateClosing)]
+    plates = list(on_three_legs(tried.positions.closings, LOCI))
     found = [one for one in plates if order.plate in (None, one.plate)]
     if not found:
         listed = ", ".join(str(one.plate) for one in plates)
