@@ -15,7 +15,7 @@ from graphic_tmm.board.values import Complexes, Reals
 
 EPS = float(np.finfo(np.float64).eps)
 TANGENT = 16 * EPS
-"""A gap negative by less than this share of the lengths is rounding: the figures touch."""
+"""A gap of less than this share of the lengths is rounding: the figures touch."""
 PARALLEL = 4 * EPS
 """Two unit directions whose wedge is not larger than this are parallel: their rounding alone reaches it."""
 RADIAN = np.pi / 180.0
@@ -129,12 +129,12 @@ def unit(a: Complexes) -> Complexes:
 
 
 def root(product: Reals, gap: Reals, scale: Reals) -> Reals:
-    """Return √product; 0 where ``gap`` is negative within rounding of ``scale``, NaN where it is beyond.
+    """Return √product; 0 where ``gap`` is within rounding of ``scale``, NaN where it is negative beyond.
 
     ``gap`` is the factor of ``product`` that becomes negative where two figures no longer meet.
     """
-    negative = gap < 0.0
-    if some(negative):
-        product = np.where(negative & (gap >= -TANGENT * scale), 0.0, product)
+    touching = np.abs(gap) <= TANGENT * scale
+    if some(touching):
+        product = np.where(touching, 0.0, product)
     found: Reals = np.sqrt(product)
     return found
