@@ -89,10 +89,15 @@ class Branch(NamedTuple):
 
     def near(self, coordinates: Reals) -> tuple[Reals, Reals]:
         """Return both angles at coordinates of the drive; NaN where the plate cannot be laid."""
-        row, low = coordinates, self.at[0]
+        row = coordinates
         if self.sweep.closed:
             way = self.sweep.high
-            row = row - way * np.floor((row - low) * (1.0 / way))
+            # a new array a line is most of what a million coordinates take
+            turns = row - self.at[0]
+            turns *= 1.0 / way
+            np.floor(turns, out=turns)
+            turns *= way
+            row = np.subtract(row, turns, out=turns)
         # of a whole turn the ends are one: what rounding puts beyond them is there
         beyond = None if self.whole else complex(np.nan, np.nan)
         # both at once: what takes time is to find between which places a coordinate lies
