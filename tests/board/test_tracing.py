@@ -131,3 +131,62 @@ def test_joined_plates_with_a_link_too_long_are_none() -> None:
     uses[8] = uses[8] + 1000.0
     with np.errstate(all="raise", under="ignore", over="ignore", invalid="ignore", divide="ignore"):
         assert np.isnan(trace_joined.run(*uses).along).all()
+
+
+def crossing(first: np.ndarray, to: np.ndarray, second: np.ndarray, end: np.ndarray) -> np.ndarray:
+    """Return where the lines through two pairs of points cross."""
+    p, q = to - first, end - second
+    share = (np.conj(second - first) * q).imag / (np.conj(p) * q).imag
+    return np.asarray(first + share * p)
+
+
+SIZES = pytest.mark.parametrize("size", [2.0**-40, 1.0, 2.0**40])
+
+
+@SIZES
+def test_a_plate_whose_legs_go_through_one_point_is_laid_at_no_size(size: float) -> None:
+    (first, second, _, c, x, y, leg, plate), answer, true = case(0)
+    assert isinstance(first, Arc)
+    assert isinstance(second, Arc)
+    leg, plate = (np.degrees(np.angle(one)) for one in true)
+    third_pin = answer.at + (x + 1j * y) * answer.along  # type: ignore[operator]
+    second_pin = answer.at + c * answer.along  # type: ignore[operator]
+    special = crossing(first.centre, answer.at, second.centre, second_pin)
+    way = (special - third_pin) / np.abs(special - third_pin)
+    arcs = [
+        Arc(one.centre * size, one.radius * size)
+        for one in (first, second, Arc(third_pin + 80.0 * way, np.full((1, N), 80.0)))
+    ]
+    lengths = [one * size for one in (c, x, y)]  # type: ignore[operator]
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        found = trace.run(*arcs, *lengths, leg, plate)
+    # of a special point that is far off rounding leaves little
+    near = np.abs(special - answer.at) < 300.0
+    assert near.mean() > 0.5
+    # a correction from there may lead to another of its places
+    assert not (np.abs(found.along - answer.along)[near] < 1e-3).any()
+    assert np.isnan(found.along[near]).mean() > 0.9
+
+
+@SIZES
+def test_joined_plates_whose_pivots_lie_in_line_with_their_links_are_laid_at_no_size(
+    size: float,
+) -> None:
+    uses, _ = joined()
+    to, _, b, bx, by, *_ = uses
+    turned = rng.uniform(0, 360, (1, N))
+    pins = to + b * cis(turned), to + (bx + 1j * by) * cis(turned)
+    others = pins[0] + 100.0 * cis(turned + 70.0), pins[1] + 80.0 * cis(turned + 130.0)
+    special = crossing(pins[0], others[0], pins[1], others[1])
+    at = special + 0.4 * (to - special)
+    arms = [other - at for other in others]
+    lies = arms[0] / np.abs(arms[0])
+    own = arms[1] / lies
+    lengths = [to, at, b, bx, by, np.abs(arms[0]), own.real, own.imag]
+    lengths += [np.full((1, N), 100.0), np.full((1, N), 80.0)]
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        found = trace_joined.run(
+            *(one * size for one in lengths), turned, np.degrees(np.angle(lies))
+        )
+    assert not (np.abs(found.along - cis(turned + 70.0)) < 1e-3).any()
+    assert np.isnan(found.along).mean() > 0.9
