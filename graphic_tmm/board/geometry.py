@@ -15,9 +15,11 @@ from graphic_tmm.board.values import Complexes, Reals
 
 EPS = float(np.finfo(np.float64).eps)
 TANGENT = 16 * EPS
-"""A gap of less than this share of the lengths is rounding: the figures touch."""
+"""A gap negative by less than this share of the lengths is rounding: the figures touch."""
 PARALLEL = 4 * EPS
-"""Two unit directions whose wedge is not larger than this are parallel: their rounding alone reaches it."""
+"""Two unit directions whose wedge is not larger than this are parallel: their rounding alone reaches it.
+
+So does that of a gap beside the lengths from which it comes: figures that meet by less touch."""
 RADIAN = np.pi / 180.0
 _QUADRANTS = np.array([1, 1j, -1, -1j])
 
@@ -133,7 +135,7 @@ def root(product: Reals, gap: Reals, scale: Reals) -> Reals:
 
     ``gap`` is the factor of ``product`` that becomes negative where two figures no longer meet.
     """
-    touching = np.abs(gap) <= TANGENT * scale
+    touching = (gap <= PARALLEL * scale) & (gap >= -TANGENT * scale)
     if some(touching):
         product = np.where(touching, 0.0, product)
     found: Reals = np.sqrt(product)

@@ -77,8 +77,9 @@ def test_before_its_dead_place_it_is_right(kind: str, seed: int) -> None:
             off = abs(place.phi - phi)
             for link, omega in moved.omega.items():
                 if math.isfinite(omega[k]):
-                    near = CLOSE * (1.0 + bad * abs(q - place.poses).max()) / off
-                    assert abs(omega[k] - v[3 * link - 1]) <= near * np.abs(v).max(), (link, off)
+                    near = CLOSE * (1.0 + bad * abs(q - place.poses).max())
+                    wrong = abs(omega[k] - v[3 * link - 1]) / np.abs(v).max()
+                    assert wrong * off <= near, (link, off)
                     right += link != 1 and off < 1e-6
         assert right
 
