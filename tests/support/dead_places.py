@@ -22,13 +22,12 @@ class DeadPlace(NamedTuple):
     poses: Reals
     rate: Reals
 
-    def away(self, s: float) -> tuple[float, Reals]:
-        """Return the crank's angle and the poses at a way s of the poses from the dead place."""
+    def away(self, s: float) -> tuple[float, Reals] | None:
+        """Return the crank's angle and the poses at a way s of the poses from the dead place; None where none fit."""
         q = _moved(
             self.one, self.poses + s * self.rate, self.rate, s + float(self.rate @ self.poses)
         )
-        assert q is not None
-        return float(q[2]), q
+        return None if q is None else (float(q[2]), q)
 
 
 def _system(one: Machine, q: Reals, row: Reals) -> tuple[Reals, Reals]:

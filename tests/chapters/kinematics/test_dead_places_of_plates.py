@@ -89,7 +89,10 @@ def ahead(place: DeadPlace, way: float) -> tuple[float, np.ndarray] | None:
     bodies = place.one.bodies
     sign = np.linalg.det(bodies.equations(bodies.start(), place.one.phi)[1]) > 0.0
     for s in (way, -way):
-        phi, q = place.away(s)
+        reached = place.away(s)
+        if reached is None:
+            continue
+        phi, q = reached
         if (np.linalg.det(bodies.equations(q, phi)[1]) > 0.0) == sign:
             return phi, q
     return None
