@@ -23,7 +23,7 @@ class DeadPlace(NamedTuple):
     rate: Reals
 
     def away(self, s: float) -> tuple[float, Reals] | None:
-        """Return the crank's angle and the poses at a way s of the poses from the dead place; None where none fit."""
+        """Return the crank's angle and the poses at a way s from the dead place; None where none fit."""
         q = _moved(
             self.one, self.poses + s * self.rate, self.rate, s + float(self.rate @ self.poses)
         )
