@@ -17,7 +17,9 @@ EPS = float(np.finfo(np.float64).eps)
 TANGENT = 16 * EPS
 """A gap negative by less than this share of the lengths is rounding: the figures touch."""
 PARALLEL = 4 * EPS
-"""Two unit directions whose wedge is not larger than this are parallel: their rounding alone reaches it."""
+"""Two unit directions whose wedge is not larger than this are parallel: their rounding alone reaches it.
+
+So does that of a gap beside the lengths from which it comes: figures that meet by less touch."""
 RADIAN = np.pi / 180.0
 _QUADRANTS = np.array([1, 1j, -1, -1j])
 
@@ -129,12 +131,12 @@ def unit(a: Complexes) -> Complexes:
 
 
 def root(product: Reals, gap: Reals, scale: Reals) -> Reals:
-    """Return √product; 0 where ``gap`` is negative within rounding of ``scale``, NaN where it is beyond.
+    """Return √product; 0 where ``gap`` is within rounding of ``scale``, NaN where it is negative beyond.
 
     ``gap`` is the factor of ``product`` that becomes negative where two figures no longer meet.
     """
-    negative = gap < 0.0
-    if some(negative):
-        product = np.where(negative & (gap >= -TANGENT * scale), 0.0, product)
+    touching = (gap <= PARALLEL * scale) & (gap >= -TANGENT * scale)
+    if some(touching):
+        product = np.where(touching, 0.0, product)
     found: Reals = np.sqrt(product)
     return found

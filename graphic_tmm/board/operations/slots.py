@@ -13,12 +13,13 @@ import numpy as np
 from graphic_tmm.board.geometry import cis, vector, wedge
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.operations.tracing import (
-    arc_normal,
-    arc_off,
+    Fit,
+    TracedPlate,
+    arc_fit,
     corrected,
-    held,
-    line_off,
-    pricked,
+    first_pin,
+    line_fit,
+    pricked_plate,
 )
 from graphic_tmm.board.values import Angle, Arc, Complexes, Length, Line, Point, Reals
 from graphic_tmm.language.said import said
@@ -34,56 +35,51 @@ _WHY = said(
 
 
 class Slot(NamedTuple):
-    """A guide of a plate and the point that it passes.
+    """A guide of a plate that passes a point.
 
     ``way``: its direction in the plate's own axes; ``height``: how far the point is to the left of the line
     that goes that way through the plate's first point.
     """
 
-    pivot: Point
     way: Complexes
     height: Reals
 
 
-def slot_arm(slot: Slot, b: Complexes, lies: Line) -> Complexes:
-    """Return where the point that the guide passes is, from the plate's first, in the plate's own axes."""
-    return (slot.pivot - b) * np.conj(lies.along)
+def slot_fit(pivot: Point, slot: Slot, b: Complexes, lies: Line) -> Fit:
+    """Return how a guide of a plate, whose first point is at ``b``, passes a point."""
+    way, far = slot.way * lies.along, pivot - b
+    return Fit(
+        far * np.conj(lies.along), slot.height - wedge(way, far), way * 1j, np.abs(slot.height), 0.0
+    )
 
 
-def slot_off(slot: Slot, b: Complexes, lies: Line) -> Reals:
-    """Return how far the guide is to the left of where it would pass the point."""
-    return slot.height - wedge(slot.way * lies.along, slot.pivot - b)
+def _on_slot(
+    lies: Line, first: Arc, second: Arc, third: Point, c: Complexes, slot: Slot
+) -> TracedPlate:
+    """Return a plate as it lies, two of its points on arcs, its guide at a point."""
+    b = first_pin(first, lies)
+    return TracedPlate(
+        lies, first.radius, b, arc_fit(second, c, b, lies), slot_fit(third, slot, b, lies)
+    )
 
 
-def slot_normal(slot: Slot, lies: Line) -> Complexes:
-    """Return the direction to the left of the guide."""
-    return slot.way * lies.along * 1j
+def _on_guide_and_slot(
+    lies: Line, first: Arc, second: Line, third: Point, c: Complexes, slot: Slot
+) -> TracedPlate:
+    """Return a plate as it lies, a point on an arc, one on a guide, its own guide at a point."""
+    b = first_pin(first, lies)
+    return TracedPlate(
+        lies, first.radius, b, line_fit(second, c, b, lies), slot_fit(third, slot, b, lies)
+    )
 
 
-def _on_slot(lies: Line, first: Arc, second: Arc, slot: Slot, c: Complexes) -> Line:
-    """Return how a plate lies after one correction, two of its points on arcs, its guide at a point."""
-    b = first.centre + first.radius * lies.at
-    at_c = b + c * lies.along
-    off = vector(arc_off(at_c, second), slot_off(slot, b, lies))
-    f, normal = slot_arm(slot, b, lies), slot_normal(slot, lies)
-    return corrected(lies, first.radius, c, f, off, arc_normal(at_c, second), normal)
-
-
-def _on_guide_and_slot(lies: Line, first: Arc, second: Line, slot: Slot, c: Complexes) -> Line:
-    """Return how a plate lies after one correction, a point on an arc, one on a guide, its own at a point."""
-    b = first.centre + first.radius * lies.at
-    off = vector(line_off(b + c * lies.along, second), slot_off(slot, b, lies))
-    f, normal = slot_arm(slot, b, lies), slot_normal(slot, lies)
-    return corrected(lies, first.radius, c, f, off, second.along * 1j, normal)
-
-
-def _on_slots(lies: Line, first: Arc, second: Slot, third: Slot) -> Line:
-    """Return how a plate lies after one correction, a point on an arc, two guides of its own at points."""
-    b = first.centre + first.radius * lies.at
-    off = vector(slot_off(second, b, lies), slot_off(third, b, lies))
-    c, f = slot_arm(second, b, lies), slot_arm(third, b, lies)
-    return corrected(
-        lies, first.radius, c, f, off, slot_normal(second, lies), slot_normal(third, lies)
+def _on_slots(
+    lies: Line, first: Arc, second: Point, third: Point, one: Slot, two: Slot
+) -> TracedPlate:
+    """Return a plate as it lies, a point on an arc, two guides of its own at points."""
+    b = first_pin(first, lies)
+    return TracedPlate(
+        lies, first.radius, b, slot_fit(second, one, b, lies), slot_fit(third, two, b, lies)
     )
 
 
@@ -103,26 +99,18 @@ def trace_past(
     ``apart``: its second point from the first along its line; ``bend``: the angle from that to the guide;
     ``h``: how far ``third`` is to the left of a parallel to the guide through the first point.
     """
-    c, slot = vector(apart, 0.0 * apart), Slot(third, cis(bend), h)
+    c, slot = vector(apart, 0.0 * apart), Slot(cis(bend), h)
     near = Line(cis(leg), cis(plate))
-    lies = _on_slot(near, first, second, slot, c)
-    lies = _on_slot(lies, first, second, slot, c)
-    lies = _on_slot(lies, first, second, slot, c)
-    lies = _on_slot(lies, first, second, slot, c)
-    lies = _on_slot(lies, first, second, slot, c)
-    lies = _on_slot(lies, first, second, slot, c)
-    b = first.centre + first.radius * lies.at
-    at_c = b + c * lies.along
-    off = vector(arc_off(at_c, second), slot_off(slot, b, lies))
-    there = held(
-        lies, c, slot_arm(slot, b, lies), arc_normal(at_c, second), slot_normal(slot, lies)
+    lies = corrected(_on_slot(near, first, second, third, c, slot))
+    lies = corrected(_on_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_slot(lies, first, second, third, c, slot))
+    return pricked_plate(
+        _on_slot(lies, first, second, third, c, slot), _on_slot(near, first, second, third, c, slot)
     )
-    begun = first.centre + first.radius * near.at
-    second_normal = arc_normal(begun + c * near.along, second)
-    alike = there * held(
-        near, c, slot_arm(slot, begun, near), second_normal, slot_normal(slot, near)
-    )
-    return pricked(b, first.radius + np.abs(c) + np.abs(h), lies, near, off, alike)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -141,20 +129,19 @@ def trace_on_guide_past(
     ``apart``: its second point from the first along its line; ``bend``: the angle from that to the guide;
     ``h``: how far ``third`` is to the left of a parallel to the guide through the first point.
     """
-    c, slot = vector(apart, 0.0 * apart), Slot(third, cis(bend), h)
+    c, slot = vector(apart, 0.0 * apart), Slot(cis(bend), h)
     near = Line(cis(leg), cis(plate))
-    lies = _on_guide_and_slot(near, first, second, slot, c)
-    lies = _on_guide_and_slot(lies, first, second, slot, c)
-    lies = _on_guide_and_slot(lies, first, second, slot, c)
-    lies = _on_guide_and_slot(lies, first, second, slot, c)
-    lies = _on_guide_and_slot(lies, first, second, slot, c)
-    lies = _on_guide_and_slot(lies, first, second, slot, c)
-    b, way = first.centre + first.radius * lies.at, second.along * 1j
-    off = vector(line_off(b + c * lies.along, second), slot_off(slot, b, lies))
-    there = held(lies, c, slot_arm(slot, b, lies), way, slot_normal(slot, lies))
-    begun = first.centre + first.radius * near.at
-    alike = there * held(near, c, slot_arm(slot, begun, near), way, slot_normal(slot, near))
-    return pricked(b, first.radius + np.abs(c) + np.abs(h), lies, near, off, alike)
+    lies = corrected(_on_guide_and_slot(near, first, second, third, c, slot))
+    lies = corrected(_on_guide_and_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_guide_and_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_guide_and_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_guide_and_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_guide_and_slot(lies, first, second, third, c, slot))
+    lies = corrected(_on_guide_and_slot(lies, first, second, third, c, slot))
+    return pricked_plate(
+        _on_guide_and_slot(lies, first, second, third, c, slot),
+        _on_guide_and_slot(near, first, second, third, c, slot),
+    )
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -173,29 +160,16 @@ def trace_past_both(
     The plate's line goes through its first point along its first guide; ``bend``: the angle from that to the
     second; ``apart``, ``h``: how far the points are to the left of parallels to the guides through the first.
     """
-    one, two = Slot(second, cis(0.0 * bend), apart), Slot(third, cis(bend), h)
+    one, two = Slot(cis(0.0 * bend), apart), Slot(cis(bend), h)
     near = Line(cis(leg), cis(plate))
-    lies = _on_slots(near, first, one, two)
-    lies = _on_slots(lies, first, one, two)
-    lies = _on_slots(lies, first, one, two)
-    lies = _on_slots(lies, first, one, two)
-    lies = _on_slots(lies, first, one, two)
-    lies = _on_slots(lies, first, one, two)
-    b = first.centre + first.radius * lies.at
-    off = vector(slot_off(one, b, lies), slot_off(two, b, lies))
-    there = held(
-        lies,
-        slot_arm(one, b, lies),
-        slot_arm(two, b, lies),
-        slot_normal(one, lies),
-        slot_normal(two, lies),
+    lies = corrected(_on_slots(near, first, second, third, one, two))
+    lies = corrected(_on_slots(lies, first, second, third, one, two))
+    lies = corrected(_on_slots(lies, first, second, third, one, two))
+    lies = corrected(_on_slots(lies, first, second, third, one, two))
+    lies = corrected(_on_slots(lies, first, second, third, one, two))
+    lies = corrected(_on_slots(lies, first, second, third, one, two))
+    lies = corrected(_on_slots(lies, first, second, third, one, two))
+    return pricked_plate(
+        _on_slots(lies, first, second, third, one, two),
+        _on_slots(near, first, second, third, one, two),
     )
-    begun = first.centre + first.radius * near.at
-    alike = there * held(
-        near,
-        slot_arm(one, begun, near),
-        slot_arm(two, begun, near),
-        slot_normal(one, near),
-        slot_normal(two, near),
-    )
-    return pricked(b, first.radius + np.abs(apart) + np.abs(h), lies, near, off, alike)

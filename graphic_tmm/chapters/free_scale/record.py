@@ -182,6 +182,8 @@ def _first(
     reading = tried.at(np.array([[coordinate]]), [pole, *marks, rate])
     with np.errstate(all="ignore"):
         speeds = [abs(complex((reading[mark] - reading[pole])[0, 0])) for mark in marks]
+        if not np.isfinite(speeds).all():
+            return LENGTHS[0], 1
         own = speeds[closing.legs.index(legs.driving)]
         ratio = max(speeds) / own if own > 0.0 else np.inf
     if ratio * LENGTHS[-1] > LONGEST:

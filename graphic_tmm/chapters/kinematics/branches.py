@@ -11,9 +11,7 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from graphic_tmm.board.execute import execute
-from graphic_tmm.board.operations.tracing import (
-    OFF,
-)
+from graphic_tmm.board.operations.tracing import is_laid
 from graphic_tmm.board.values import Complexes, Line, Reals
 from graphic_tmm.chapters.kinematics.closings import Branch
 from graphic_tmm.chapters.kinematics.sides import standing
@@ -156,11 +154,10 @@ class Search:
 
     def _there(self, loci: Loci, lies: Line) -> np.ndarray:
         with np.errstate(all="ignore"):
-            off, most = self.tracing.off(loci, lies), OFF * self.tracing.size(loci)
-            return np.asarray((np.abs(off.real) <= most) & (np.abs(off.imag) <= most))
+            return np.asarray(is_laid(self.tracing.laid(loci, lies)))
 
     def _sign(self, loci: Loci, lies: Line) -> float:
-        return float(np.sign(self.tracing.held(loci, lies))[0, 0])
+        return float(np.sign(self.tracing.laid(loci, lies).held)[0, 0])
 
 
 def _onward(before: Complexes, now: Complexes, share: float) -> Complexes:

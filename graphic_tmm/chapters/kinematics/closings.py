@@ -7,6 +7,7 @@ from typing import NamedTuple, Never, NoReturn
 
 import numpy as np
 
+from graphic_tmm.board.geometry import vector
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
 from graphic_tmm.errors import StructureError
@@ -88,17 +89,20 @@ class Branch(NamedTuple):
 
     def near(self, coordinates: Reals) -> tuple[Reals, Reals]:
         """Return both angles at coordinates of the drive; NaN where the plate cannot be laid."""
-        row, low = coordinates, self.at[0]
+        row = coordinates
         if self.sweep.closed:
             way = self.sweep.high
-            row = row - way * np.floor((row - low) * (1.0 / way))
+            # a new array a line is most of what a million coordinates take
+            turns = row - self.at[0]
+            turns *= 1.0 / way
+            np.floor(turns, out=turns)
+            turns *= way
+            row = np.subtract(row, turns, out=turns)
         # of a whole turn the ends are one: what rounding puts beyond them is there
-        beyond = None if self.whole else np.nan
-        leg, plate = (
-            np.interp(row, self.at, angles, left=beyond, right=beyond)
-            for angles in (self.leg, self.plate)
-        )
-        return leg, plate
+        beyond = None if self.whole else complex(np.nan, np.nan)
+        # both at once: what takes time is to find between which places a coordinate lies
+        both = np.interp(row, self.at, vector(self.leg, self.plate), left=beyond, right=beyond)
+        return both.real, both.imag
 
 
 class PlateClosing(NamedTuple):
@@ -189,7 +193,8 @@ class SquareClosing(NamedTuple):
 
     A leg of a plate goes from its pivot to its pin on the first of the links; these go from the first plate's
     pins to the second's. ``pins``, ``points``: the inner ends of the legs, then of the links. ``root``: the
-    line of the plate of which the scene tells where it lies, ``plate``; ``near``: what is given of the place.
+    line of the first link as pricked; ``plate``: of which the scene tells where it lies; ``near``: what is
+    given of the place.
     """
 
     group: SquareGroup

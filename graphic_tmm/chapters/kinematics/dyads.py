@@ -76,13 +76,24 @@ class Ground:
         """Return the rod that is driven out of a link of the group, if it is a cylinder."""
         return next((one for one in self.rods if one.slides[0].on == link.number), None)
 
-    def pinned(self, link: Link, leg: Leg, pin: str, mark: Mark, opening: Mark) -> PinLeg:
-        """Enter a link that turns about an outer pivot and whose inner pin stands at ``mark``."""
+    def pinned(
+        self,
+        link: Link,
+        leg: Leg,
+        pin: str,
+        mark: Mark,
+        opening: Mark,
+        line: Mark | None = None,
+    ) -> PinLeg:
+        """Enter a link that turns about an outer pivot and whose inner pin stands at ``mark``.
+
+        ``line``: from one to the other, if it is drawn.
+        """
         outer, pivot = leg.pair.name, self.pivot(leg)
         rod = self.rod(link)
         if rod is not None:
             return self._telescoped(link, rod, leg, pin, mark, opening)
-        line = self.draft.draw(join, f"({outer}{pin})", pivot, mark, why=why.LINK_AXIS)
+        line = line or self.draft.draw(join, f"({outer}{pin})", pivot, mark, why=why.LINK_AXIS)
         arm = link.points[pin] - link.points[outer]
         body = Body(link, link.points[outer], math.degrees(cmath.phase(arm)), lambda: line)
         stand(body, outer, pivot, link.points[outer])

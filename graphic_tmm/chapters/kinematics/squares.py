@@ -6,9 +6,12 @@ import cmath
 import math
 from collections.abc import Mapping
 
-from graphic_tmm.board.operations.tracing import trace_joined
+from graphic_tmm.board.operations.instruments import join, lay_off
+from graphic_tmm.board.operations.joined import trace_joined
+from graphic_tmm.board.operations.tracing import prick
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Angle
+from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.bodies import Body, draw_points, off_axis, stand
 from graphic_tmm.chapters.kinematics.closings import PinLeg, SquareClosing
 from graphic_tmm.chapters.kinematics.dyads import Ground
@@ -23,12 +26,12 @@ def close_square(
 ) -> SquareClosing:
     """Lay both plates about their pivots so that the links join them; draw these."""
     draft, told = ground.draft, laid(group, links)
-    roots = list[Mark]()
+    axes = list[Mark]()
 
     def drawn(k: int) -> Body:
         link, outer = links[group.legs[k].link], group.legs[k].pair.name
         arm = link.points[pins[k][0]] - link.points[outer]
-        return Body(link, link.points[outer], math.degrees(cmath.phase(arm)), lambda: roots[k])
+        return Body(link, link.points[outer], math.degrees(cmath.phase(arm)), lambda: axes[k])
 
     # of each plate its pins on the first link and on the second
     pins = [tuple(pair[k].name for pair in group.inner) for k in (0, 1)]
@@ -67,32 +70,44 @@ def close_square(
         draft.length(f"{first.name}{second.name}", rod)
         for (first, second), rod in zip(group.inner, rods, strict=True)
     ]
-    for k in (0, 1):
-        uses = (pivots[1 - k], pivots[k], *sizes[1 - k], *sizes[k])
-        near = angles[1 - k], angles[k]
-        roots.append(draft.draw(trace_joined, f"({lines[k]})", *uses, *lengths, *near))
-    for leg, body, pivot in zip(group.legs, bodies, pivots, strict=True):
-        stand(body, leg.pair.name, pivot, body.at)
-        draw_points(draft, body, leg.pair.name)
+    letters = pins[0][0], pins[1][0]
+    name, uses = "({}{})".format(*letters), (*pivots, *sizes[0], *sizes[1], *lengths)
+    root = draft.draw(trace_joined, name, *uses, angles[0], angles[1])
+    ends = (
+        draft.draw(prick, letters[0], root, why=why.PRICKED_WITH_LINK),
+        draft.draw(lay_off, letters[1], root, lengths[0], why=why.POINT),
+    )
+    legs = list[PinLeg]()
+    for k, (leg, body) in enumerate(zip(group.legs, bodies, strict=True)):
+        outer, pin, at = leg.pair.name, letters[k], pivots[k]
+        axes.append(draft.draw(join, f"({lines[k]})", at, ends[k], why=why.LINK_AXIS))
+        stand(body, outer, at, body.at)
+        stand(body, pin, ends[k], body.link.points[pin])
+        draw_points(draft, body, outer)
         ground.bodies[leg.link] = body
-    legs = [
-        PinLeg(leg.link, leg.body, leg.pair.name, pivots[k], roots[k], sizes[k][0])
-        for k, leg in enumerate(group.legs)
+        legs.append(PinLeg(leg.link, leg.body, outer, at, axes[k], sizes[k][0]))
+    joining = [
+        ground.pinned(
+            links[number],
+            Leg(number, group.plates[0], first),
+            second.name,
+            bodies[1].marks[second.name],
+            length,
+            line,
+        )
+        for number, (first, second), length, line in zip(
+            group.joining, group.inner, lengths, (root, None), strict=True
+        )
     ]
-    joining = list[PinLeg]()
-    for number, (first, second), length in zip(group.joining, group.inner, lengths, strict=True):
-        leg, end = Leg(number, group.plates[0], first), bodies[1].marks[second.name]
-        joining.append(ground.pinned(links[number], leg, second.name, end, length))
-    letters = pins[0][0], pins[1][0], pins[1][0], pins[1][1]
-    marks = [bodies[k].marks[letter] for k, letter in zip((0, 1, 1, 1), letters, strict=True)]
+    last_pin = pins[1][1]
     return SquareClosing(
         group,
         told,
-        roots[last],
+        root,
         (legs[0], legs[1]),
         (joining[0], joining[1]),
-        letters,
-        (marks[0], marks[1], marks[2], marks[3]),
+        (*letters, letters[1], last_pin),
+        (*ends, ends[1], bodies[1].marks[last_pin]),
         (angles[order[0]], angles[order[1]]),
         branch,
     )

@@ -13,22 +13,20 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
-from graphic_tmm.board.geometry import vector
-from graphic_tmm.board.operations.slots import Slot, slot_arm, slot_normal, slot_off
+from graphic_tmm.board.operations.joined import Square, on_links, square_laid
+from graphic_tmm.board.operations.slots import Slot, slot_fit
 from graphic_tmm.board.operations.tracing import (
-    Square,
-    arc_normal,
-    arc_off,
+    Fit,
+    Laid,
+    TracedPlate,
+    arc_fit,
     corrected,
-    held,
-    line_off,
-    on_links,
-    square_held,
-    square_off,
-    square_size,
+    first_pin,
+    line_fit,
+    plate_laid,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Arc, Complexes, Line, Reals
+from graphic_tmm.board.values import Arc, Complexes, Line
 from graphic_tmm.mechanism.groups import AssurGroup
 from graphic_tmm.mechanism.guides import turn
 from graphic_tmm.mechanism.records import Link
@@ -47,18 +45,6 @@ class Groove(NamedTuple):
 
     bend: float
     height: float
-
-
-class _Fit(NamedTuple):
-    """How a plate keeps to one of its loci.
-
-    ``arm``: from its first pin, in its own axes, to where it is held; ``off``: how far that is off, to the side
-    of ``normal``.
-    """
-
-    arm: Complexes
-    off: Reals
-    normal: Complexes
 
 
 class Tracing(Protocol):
@@ -83,14 +69,8 @@ class Tracing(Protocol):
     def corrected(self, loci: Loci, lies: Line) -> Line:
         """Return how it lies after one correction."""
 
-    def off(self, loci: Loci, lies: Line) -> Complexes:
-        """Return by how much it does not fit: two lengths."""
-
-    def size(self, loci: Loci) -> Reals:
-        """Return the length of which that is a share."""
-
-    def held(self, loci: Loci, lies: Line) -> Reals:
-        """Return how well it is held: 0 where two of its places meet, of other signs at both."""
+    def laid(self, loci: Loci, lies: Line) -> Laid:
+        """Return how it came to lie, and how well it is held: of other signs at two places that meet."""
 
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return which of what holds it cross most squarely."""
@@ -115,30 +95,16 @@ class PlateTracing:
 
     def corrected(self, loci: Loci, lies: Line) -> Line:
         """Return how it lies after one correction."""
-        second, third = self._fits(loci, lies)
-        off = vector(second.off, third.off)
-        return corrected(
-            lies, loci[0].radius, second.arm, third.arm, off, second.normal, third.normal
-        )
+        return corrected(self._traced(loci, lies))
 
-    def off(self, loci: Loci, lies: Line) -> Complexes:
-        """Return how far it is off its second and its third locus."""
-        second, third = self._fits(loci, lies)
-        return vector(second.off, third.off)
-
-    def size(self, loci: Loci) -> Reals:
-        """Return the length of its first leg with those of the plate."""
-        own = (one.height if isinstance(one, Groove) else one for one in self.own)
-        return np.asarray(loci[0].radius + sum(map(abs, own)))
-
-    def held(self, loci: Loci, lies: Line) -> Reals:
-        """Return how well its three legs hold it."""
-        second, third = self._fits(loci, lies)
-        return held(lies, second.arm, third.arm, second.normal, third.normal)
+    def laid(self, loci: Loci, lies: Line) -> Laid:
+        """Return how it came to lie, and how well its three legs hold it."""
+        return plate_laid(self._traced(loci, lies))
 
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return the two legs of which the lines, or what is square to the guides, cross most squarely."""
-        normals = lies.at, *(one.normal for one in self._fits(loci, lies))
+        plate = self._traced(loci, lies)
+        normals = lies.at, plate.second.normal, plate.third.normal
         least = {
             (a, b): float(np.abs((np.conj(normals[a]) * normals[b]).imag).min())
             for a, b in combinations(range(3), 2)
@@ -147,12 +113,11 @@ class PlateTracing:
 
     def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
         """Return the plate and its legs, of one that slides a piece of the guide."""
-        b = loci[0].centre + loci[0].radius * lies.at
-        fits = self._fits(loci, lies)
-        pins = [_first(b), *(_first(b + one.arm * lies.along) for one in fits)]
-        way = GUIDE * float(np.ravel(self.size(loci))[0])
+        *_, b, second, third = self._traced(loci, lies)
+        pins = [_first(b), *(_first(b + one.arm * lies.along) for one in (second, third))]
+        way = GUIDE * float(np.ravel(self.laid(loci, lies).size)[0])
         legs = [(_first(loci[0].centre), pins[0])]
-        for pin, locus, one in zip(pins[1:], loci[1:], fits, strict=True):
+        for pin, locus, one in zip(pins[1:], loci[1:], (second, third), strict=True):
             along = 1j * way * _first(one.normal)
             legs.append(
                 (_first(locus.centre), pin)
@@ -161,28 +126,25 @@ class PlateTracing:
             )
         return (*pins, pins[0]), *legs
 
-    def _fits(self, loci: Loci, lies: Line) -> tuple[_Fit, _Fit]:
-        b = loci[0].centre + loci[0].radius * lies.at
+    def _traced(self, loci: Loci, lies: Line) -> TracedPlate:
+        b = first_pin(loci[0], lies)
         second, third = (
             _fit(own, locus, b, lies) for own, locus in zip(self.own, loci[1:], strict=True)
         )
-        return second, third
+        return TracedPlate(lies, loci[0].radius, b, second, third)
 
 
 def _first(values: Complexes) -> complex:
     return complex(np.ravel(values)[0])
 
 
-def _fit(own: complex | Groove, locus: Any, b: Complexes, lies: Line) -> _Fit:
+def _fit(own: complex | Groove, locus: Any, b: Complexes, lies: Line) -> Fit:
     """Return how a plate whose first pin is at ``b`` keeps to a locus, or its guide to a pivot."""
     if isinstance(own, Groove):
-        slot = Slot(locus, np.array([[turn(own.bend)]]), np.array([[own.height]]))
-        return _Fit(slot_arm(slot, b, lies), slot_off(slot, b, lies), slot_normal(slot, lies))
+        slot = Slot(np.array([[turn(own.bend)]]), np.array([[own.height]]))
+        return slot_fit(locus, slot, b, lies)
     arm = np.array([[own]])
-    pin = b + arm * lies.along
-    if isinstance(locus, Arc):
-        return _Fit(arm, arc_off(pin, locus), arc_normal(pin, locus))
-    return _Fit(arm, line_off(pin, locus), locus.along * 1j)
+    return (arc_fit if isinstance(locus, Arc) else line_fit)(locus, arm, b, lies)
 
 
 @dataclass(frozen=True)
@@ -204,17 +166,9 @@ class SquareTracing:
         """Return how they lie after one correction."""
         return on_links(lies, self._square(loci))
 
-    def off(self, loci: Loci, lies: Line) -> Complexes:
-        """Return how far both links do not fit."""
-        return square_off(self._square(loci), lies)
-
-    def size(self, loci: Loci) -> Reals:
-        """Return how far the pins are from the pivots, all of them together."""
-        return square_size(self._square(loci))
-
-    def held(self, loci: Loci, lies: Line) -> Reals:
-        """Return how well the links hold both plates."""
-        return square_held(self._square(loci), lies)
+    def laid(self, loci: Loci, lies: Line) -> Laid:
+        """Return how they came to lie, and how well the links hold both."""
+        return square_laid(self._square(loci), lies)
 
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return the two links: there are no others."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from graphic_tmm.chapters.kinematics.along import with_guides
 from graphic_tmm.chapters.kinematics.dead_places import dead_places
+from graphic_tmm.chapters.kinematics.far_points import far_positions, refuse_far
 from graphic_tmm.chapters.kinematics.ink_by_drive import draw_sums_ink
 from graphic_tmm.chapters.kinematics.ink_links import LinksInk
 from graphic_tmm.chapters.kinematics.ink_plans import Place, draw_equations, draw_plan
@@ -95,6 +96,7 @@ def special_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     plates = any(one.group.plates for one in made.positions.closings)
     if not plates or made.velocities is None:
         return []
+    refuse_far(drawn, drawn.main)
     position = f"{words['position']} {drawn.names[drawn.main]}"
     title = f"{words[SPECIAL_POINTS]}, {position}"
     on = subject(drawn, title, SPECIAL_POINTS)
@@ -106,6 +108,7 @@ def warned(drawn: Drawn, language: str) -> Iterator[str]:
     """Yield, as sentences, what outlies the plans, and mass centres of pistons that lie off their rods."""
     yield from outlying(drawn, language)
     yield from dead_places(drawn, language)
+    yield from far_positions(drawn, language)
     ink, at = LinksInk(drawn.construction, drawn.reading, reaches(drawn)), drawn.main
     for figure in (one for one in ink.figures if one.kind == "piston"):
         pin, way = ink.foot(figure, at), ink.cylinder(figure, at).way

@@ -112,6 +112,9 @@ TRACING_PAST = said(
     "where they are, it is the one that goes on from the position before."
 )
 PRICKED = said("The first pin of the plate is pricked through with the line.")
+PRICKED_WITH_LINK = said(
+    "The pin is pricked through with the line of the link, which begins there."
+)
 SPECIAL_POINT = said(
     "As a point of the plate, the point where the lines of two legs cross moves square to both of them: only "
     "there is the direction of its relative velocity the same about both ends of a leg (Assur's special point)."

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from support.boards import drawn_of
 from support.gallery import ROOT
+from support.moved_bodies import returns
 from support.plates import Machine, followed, machine
 from support.turns import in_turn
 
@@ -15,8 +16,9 @@ from graphic_tmm.chapters.free_scale.task import FREE_SCALE
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError
 
-CLOSE = 1e-9
-"""Of the fastest: two plans of some twenty lines each, with no rounding by a ruler."""
+CLOSE = 1e-12
+"""Of the fastest, by the condition of the equations: there is no rounding by a ruler."""
+CASES = [(seed, guides) for seed in range(60) for guides in (0, 1)]
 
 
 def drawn(text: str, asks: str = "") -> Drawn:
@@ -55,20 +57,23 @@ def judge(one: Machine, work: Drawn) -> int:
     return 1
 
 
-@pytest.mark.parametrize("seed", in_turn(range(60), 12))
-@pytest.mark.parametrize("guides", [0, 1])
+@pytest.mark.parametrize(("seed", "guides"), in_turn(CASES, 4))
 def test_velocities_are_those_of_the_mechanism(seed: int, guides: int) -> None:
     one = machine(seed, guides=guides)
+    row = followed(one)
+    if not returns(row):
+        with pytest.raises(TmmError, match="another of its places after a turn"):
+            drawn(one.text)
+        return
+    whole = row[-1][0] - row[0][0] >= 4 * np.pi - 1e-6
+    # elsewhere a few of the positions are there: three are enough
     judged = 0
-    for at in ("0", "4", "8"):
+    for at in range(0, 12, 1 if whole else 4):
         try:
-            work = drawn(one.text, f'at = "{at}"')
-        except TmmError as refused:  # it comes back elsewhere; or the pin of the leg nearly stands
-            if "all but stands" in str(refused):
-                continue
-            return
-        judged += judge(one, work)
-    assert judged or len(followed(one)) < 700
+            judged += judge(one, drawn(one.text, f'at = "{at}"'))
+        except TmmError as refused:
+            assert "all but stands" in str(refused)  # noqa: PT017
+    assert judged >= 8 or not whole
 
 
 def test_either_leg_of_the_frame_may_drive() -> None:
@@ -97,11 +102,19 @@ def test_what_cannot_drive_is_named() -> None:
 
 
 def test_a_leg_whose_pin_all_but_stands_is_refused() -> None:
-    with pytest.raises(TmmError, match="position 8: the pin of link 4 all but stands"):
-        drawn(machine(48).text, "at = 8")
+    with pytest.raises(TmmError, match="position 5: the pin of link 3 all but stands"):
+        drawn(machine(0, guides=1).text, "at = 5")
 
 
 def test_a_scene_without_it_records_nothing() -> None:
     work = drawn_of(tmm.read(machine(3).text), exact=True)
     assert FREE_SCALE_PLAN.of(work) is None
     assert all(step.it.view != FREE_SCALE for step in work.construction.steps)
+
+
+def test_where_the_plate_cannot_be_laid_there_are_no_velocities() -> None:
+    work = drawn(machine(48).text, "at = 8")
+    made, reading = FREE_SCALE_PLAN.of(work), work.of(FREE_SCALE)
+    assert made is not None
+    assert reading is not None
+    assert all(np.isnan(reading.figure(result.value)).all() for result in made.results)
