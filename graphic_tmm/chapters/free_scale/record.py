@@ -28,6 +28,7 @@ from graphic_tmm.chapters.free_scale.formulas import scale_by_speed
 from graphic_tmm.chapters.free_scale.task import ASKED, FREE_SCALE, FreeScaleTask
 from graphic_tmm.chapters.kinematics import words as usual
 from graphic_tmm.chapters.kinematics.closings import ClosingLeg, GuideLeg, PinLeg, PlateClosing
+from graphic_tmm.chapters.kinematics.motion import pin_image, reading_of
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.errors import StructureError
@@ -43,10 +44,11 @@ LONGEST = 110.0
 
 
 class Result(NamedTuple):
-    """A velocity as it is read, of a pin (m/s)."""
+    """A velocity as it is read, of a pin (m/s); ``usual``: as read on the plan by the special point, mm."""
 
     point: str
     value: Mark
+    usual: Mark
 
 
 @dataclass(frozen=True)
@@ -138,7 +140,9 @@ def _draw(
         if image != driven:
             segment = draft.draw(measure, between(pole, image.letter), pole, image)
         value = draft.draw(in_si, f"v_{letter}", segment, mu, unit="m/s")
-        results.append(Result(letter, value))
+        known = reading_of(draft, velocities, pin_image(velocities, closing, leg))
+        assert known is not None
+        results.append(Result(letter, value, known))
     return FreeScale(legs.driving.link, at, first, mu, tuple(results))
 
 

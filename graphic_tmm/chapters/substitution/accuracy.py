@@ -3,13 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Value
+from graphic_tmm.chapters.kinematics.accuracy import renamed
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.substitution.record import SUBSTITUTION_PLAN
-from graphic_tmm.chapters.substitution.task import SUBSTITUTION
+from graphic_tmm.chapters.substitution.task import ASKED, SUBSTITUTION
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
+from graphic_tmm.readers.position_count import FinerRow
+from graphic_tmm.scene.records import Scene
+
+
+def _at_count(scene: Scene, count: int) -> Scene | None:
+    """Return a scene with the same place in a row of another count; None if it is not there."""
+    order = ASKED.of(scene)
+    if order is None or order.at is None:
+        return scene
+    places = renamed((order.at,), scene.row, count)
+    return None if places is None else ASKED.put(scene, replace(order, at=places[0]))
+
 
 WORDS = {
     "a special point": said("a of pins by the special point"),
@@ -19,9 +33,7 @@ WORDS = {
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
-    made = SUBSTITUTION_PLAN.of(project)
-    if made is None:
-        return
+    made = SUBSTITUTION_PLAN.on(project)
     plans = KINEMATICS_PLAN.on(project)
     for name, marks in zip(
         WORDS,
@@ -32,4 +44,7 @@ def _quantities(project: Project) -> Iterator[Quantity]:
         yield Quantity(name, "m/s²", values, plans.count, due=values, places=(SUBSTITUTION,))
 
 
-ACCURACY = Accuracy(quantities=_quantities, places=(SUBSTITUTION,), words=WORDS)
+ACCURACY = Accuracy(
+    quantities=_quantities, places=(SUBSTITUTION,), compared=tuple(WORDS), words=WORDS
+)
+FINER = FinerRow(at_count=_at_count)

@@ -284,16 +284,16 @@ def _letters(closing: SquareClosing) -> tuple[str, str, str, str]:
 
 def _pins(draft: Draft, closing: SquareClosing, usual_plan: Motion, own: Motion) -> Iterator[Pin]:
     """Yield the pins of the links that join the plates, as read on both plans."""
-    for leg in closing.joining:
-        for letter, image in (
-            (leg.letter, lambda plan, leg=leg: pivot_image(plan, leg)),
-            (closing.pin_letter(leg), lambda plan, leg=leg: pin_image(plan, closing, leg)),
-        ):
-            special = reading_of(draft, usual_plan, image(usual_plan))
-            substituted = reading_of(draft, own, image(own))
-            assert special is not None
-            assert substituted is not None
-            yield Pin(letter, special, substituted)
+
+    def read(plan: Motion) -> Iterator[Mark]:
+        for leg in closing.joining:
+            for image in (pivot_image(plan, leg), pin_image(plan, closing, leg)):
+                length = reading_of(draft, plan, image)
+                assert length is not None
+                yield length
+
+    letters = (name for leg in closing.joining for name in (leg.letter, closing.pin_letter(leg)))
+    yield from map(Pin, letters, read(usual_plan), read(own))
 
 
 def _chosen(plans: KinematicPlans) -> SquareClosing:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from graphic_tmm.chapters.kinematics.task import ACCELERATIONS
 from graphic_tmm.chapters.substitution import words as why
 from graphic_tmm.chapters.substitution.record import SUBSTITUTION_PLAN
 from graphic_tmm.chapters.substitution.task import SUBSTITUTION
@@ -23,9 +24,9 @@ def columns(drawn: Drawn) -> Iterator[Column]:
     reading = drawn.of(SUBSTITUTION)
     if made is None or reading is None:
         return
-    mu = reading.figure(made.motion.mu)
+    mu = drawn.scales[ACCELERATIONS].value
     for pin in made.pins:
-        value = np.abs(reading.figure(pin.substituted) * mu)
+        value = np.abs(mu * reading.figure(pin.substituted))
         yield Column(
             SUBSTITUTION, f"a_{pin.letter}", f"a_{pin.letter}", "m/s²", empty(count),
             row_of(value, [made.at], count),

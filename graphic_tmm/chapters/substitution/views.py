@@ -23,30 +23,25 @@ from graphic_tmm.paper.views import mu_text
 def substitution_views(drawn: Drawn, lettered: bool) -> list[Drawing]:
     """Return both plans; none where they cannot be drawn."""
     made, language, found = SUBSTITUTION_PLAN.of(drawn), drawn.scene.language, list[Drawing]()
-    if made is None:
+    own = drawn.of(SUBSTITUTION)
+    if made is None or own is None or not np.isfinite(own.figure(made.gap)).all():
         return found
-    scale = drawn.scales[ACCELERATIONS]
-    name, speech = drawn.names[made.at], speaking(language)
-    for view, title in ((why.HELD, why.HELD_TITLE), (SUBSTITUTION, why.TITLE)):
-        reading = drawn.of(view)
-        if reading is None or not np.isfinite(reading.figure(made.gap)).all():
-            return []
-        on = subject(drawn, speech(title, position=name), SUBSTITUTION, name=view.replace(" ", "-"))
-        own = view == SUBSTITUTION
-        plan = draw_plan(
-            on._replace(reading=reading),
-            view,
-            [Place(0)],
-            scale.value if own else 1.0,
-            UNITS[ACCELERATIONS if own else VELOCITIES],
-        )
-        long = number(float(np.ravel(reading.figure(made.first))[0]), language)
-        told = (
-            mu_text(scale, language)
-            if own
-            else f"{made.first.name} = {long} {unit('mm', language)}"
-        )
-        found.append(with_caption(plan, on, lettered, told))
+    scale, name, speech = drawn.scales[ACCELERATIONS], drawn.names[made.at], speaking(language)
+    told = mu_text(scale, language)
+    for view, title, mu, plan in (
+        (why.HELD, why.HELD_TITLE, 1.0, VELOCITIES),
+        (SUBSTITUTION, why.TITLE, scale.value, ACCELERATIONS),
+    ):
+        reading, key = drawn.of(view), view.replace(" ", "-")
+        assert reading is not None
+        on = subject(drawn, speech(title, position=name), SUBSTITUTION, name=key)
+        on = on._replace(reading=reading)
+        caption = told
+        if view == why.HELD:
+            long = number(float(np.ravel(reading.figure(made.first))[0]), language)
+            caption = f"{made.first.name} = {long} {unit('mm', language)}"
+        ink = draw_plan(on, view, [Place(0)], mu, UNITS[plan])
+        found.append(with_caption(ink, on, lettered, caption))
     return found
 
 

@@ -20,7 +20,12 @@ from graphic_tmm.chapters.substitution.task import SUBSTITUTION
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import TmmError
 
-KINDS = ({}, {"before": True}, {"behind": True}, {"before": True, "behind": True})
+KINDS: tuple[dict[str, bool], ...] = (
+    {},
+    {"before": True},
+    {"behind": True},
+    {"before": True, "behind": True},
+)
 CASES = [(seed, seed % len(KINDS)) for seed in range(60)]
 CLOSE = 1e-9
 """Of the largest, times the condition: two plans of some forty lines each, with no rounding by a ruler."""
