@@ -75,6 +75,27 @@ def test_accelerations_are_those_by_the_special_point(seed: int, kind: int) -> N
     assert judged
 
 
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ('speed = "120 rpm"', 'speed = 0\nacceleration = "5 rad/s^2"'),
+        ('speed = "120 rpm"', 'speed = "120 rpm"\nacceleration = "5 rad/s^2"'),
+        ("[plans]", '[plans]\nvelocities = "turned"'),
+    ],
+)
+def test_at_rest_gaining_speed_and_by_a_turned_plan_it_is_the_same(old: str, new: str) -> None:
+    assert old in class_four()
+    work = drawn(class_four().replace(old, new))
+    made = SUBSTITUTION_PLAN.of(work)
+    assert made is not None
+    marks = [mark for pin in made.pins for mark in (pin.special, pin.substituted)]
+    read = prepare(work.construction, marks).run(work.given)
+    for pin in made.pins:
+        first, again = (np.abs(read[mark]) for mark in (pin.special, pin.substituted))
+        assert np.isfinite(first).all()
+        assert np.allclose(first, again, rtol=0, atol=CLOSE * first.max()), pin.letter
+
+
 def test_by_a_student_the_special_point_is_truer() -> None:
     """1000 drawings of the sheets of class-four: why that is the way by which plans are drawn."""
     work, trials = drawn(class_four()), 1000
