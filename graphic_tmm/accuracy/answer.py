@@ -108,8 +108,10 @@ class Answer:
 
     @property
     def main(self) -> str:
-        """The quantity that the drawing is made for: the last that is constructed."""
-        return [*self.own.errors][-1]
+        """The quantity that the drawing is made for: the last constructed, but for those that compare ways."""
+        compared = {name for one in chapters() for name in Accuracy.of(one).compared}
+        names = [*self.own.errors]
+        return [name for name in names if name not in compared or {*names} <= compared][-1]
 
     def origin(self, name: str) -> Origin | None:
         """Return where the error of a quantity comes from: by the hand at the board."""

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 from graphic_tmm.accuracy.answer import Answer, MeasuredWay, Origin
+from graphic_tmm.accuracy.quantities import Accuracy
 from graphic_tmm.accuracy.settings import dividing
 from graphic_tmm.accuracy.sources import TOGETHER, Share, Sources
 from graphic_tmm.accuracy.timing import Load, Seconds
@@ -15,6 +16,7 @@ from graphic_tmm.language.catalogue import Words
 from graphic_tmm.language.numbers import fixed, number
 from graphic_tmm.readers.protocol import title_of
 from graphic_tmm.readers.sentences import sentence
+from graphic_tmm.scene.chapter import chapters
 
 WIDTH = 80
 """Characters of a line."""
@@ -28,6 +30,8 @@ STEP = 0.05
 """A step is named that brings more than this share."""
 LEAST = 0.005
 """A source with a smaller share is not named: shares are known to 1 %."""
+ALIKE = 0.95
+"""Of two ways that err no more differently than by this factor neither is truer."""
 
 
 def answer_text(answer: Answer) -> list[Any]:
@@ -59,6 +63,7 @@ def costs(answer: Answer) -> Iterator[str]:
         yield _words(answer)["answer exact"]
         return
     yield _how_far(answer)
+    yield from _compared(answer)
     yield _halved(answer)
     yield _wasted(answer)
     yield _knee(answer)
@@ -105,6 +110,19 @@ def _how_far(answer: Answer) -> str:
     lost = [words["answer lost"].format(quantity=words[name]) for name in answer.lost]
     lost += [words["answer unjudged"].format(quantity=words[name]) for name in answer.unjudged]
     return " ".join([text, *lost])
+
+
+def _compared(answer: Answer) -> Iterator[str]:
+    """Yield, of what is drawn in several ways, how far each is off, and which is the truest."""
+    words, errors = _words(answer), answer.own.errors
+    for chapter in chapters():
+        ways = [name for name in Accuracy.of(chapter).compared if name in errors]
+        if len(ways) > 1:
+            first, second, *_ = sorted(ways, key=lambda name: errors[name])
+            alike = errors[first] >= ALIKE * errors[second]
+            each = "; ".join(f"{words[name]} {_percent(answer, errors[name])} %" for name in ways)
+            key = "answer compared alike" if alike else "answer compared"
+            yield words[key].format(each=each, truest=words[first])
 
 
 def _halved(answer: Answer) -> str:

@@ -134,7 +134,8 @@ class Accuracy(Answer):
     """A chapter's part in the study of accuracy.
 
     ``quantities``: of its record (see `quantities` for boards without any); ``places``: places of sheets that
-    call for one. ``axes``: what can be varied. ``words``: names of quantities, axes and values, in English.
+    call for one. ``compared``: names of quantities that are the same thing, each by another way. ``axes``: what
+    can be varied. ``words``: names of quantities, axes and values, in English.
 
     ``kept``: given marks, other than scale factors, that stay as drawn. ``tried``: the trials of a refinement,
     by the mark that it leaves.
@@ -151,6 +152,7 @@ class Accuracy(Answer):
     stands: ClassVar[str] = "accuracy.ACCURACY"
     quantities: Callable[[Project], Iterable[Quantity]] = lambda project: ()
     places: tuple[str, ...] = ()
+    compared: tuple[str, ...] = ()
     axes: tuple[Axis, ...] = ()
     words: Mapping[str, str] = field(default_factory=dict)
     called: Callable[[str, Speech], str] = lambda name, speech: ""

@@ -92,6 +92,8 @@ TEXTS: dict[str, str] = {
     ),
     "answer lost": said("{quantity} cannot be drawn at all in more than one such drawing of ten."),
     "answer unjudged": said("There is no true value of {quantity} here to judge it by."),
+    "answer compared": said("Drawn in several ways: {each}. The truest: {truest}."),
+    "answer compared alike": said("Drawn in several ways: {each}. They are as true as each other."),
     "answer halved": said(
         "Half the error: {setting} ({error} %; {minutes} min at the board instead of {own})."
     ),

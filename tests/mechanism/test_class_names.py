@@ -21,8 +21,9 @@ ROOMS = {
     "chapters/forces/special.py",
     "chapters/free_scale/record.py",
     "chapters/loci/record.py",
+    "chapters/substitution/record.py",
 }
-"""They draw what these classes alone have: tracings, special points, loci of a plate."""
+"""They draw what these classes alone have: tracings, special points, loci of a plate, substitution."""
 
 
 def test_no_other_room_names_a_class_of_groups() -> None:

@@ -34,6 +34,7 @@ from graphic_tmm.chapters.kinematics.closings import (
     PlateClosing,
     on_three_legs,
 )
+from graphic_tmm.chapters.kinematics.motion import pin_image, reading_of
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans, chosen
 from graphic_tmm.chapters.kinematics.task import VELOCITIES
 from graphic_tmm.errors import StructureError
@@ -49,10 +50,11 @@ LONGEST = 110.0
 
 
 class Result(NamedTuple):
-    """A velocity as it is read, of a pin (m/s)."""
+    """A velocity as it is read, of a pin (m/s); ``usual``: as read on the plan by the special point, mm."""
 
     point: str
     value: Mark
+    usual: Mark
 
 
 @dataclass(frozen=True)
@@ -144,7 +146,9 @@ def _draw(
         if image != driven:
             segment = draft.draw(measure, between(pole, image.letter), pole, image)
         value = draft.draw(in_si, f"v_{letter}", segment, mu, unit="m/s")
-        results.append(Result(letter, value))
+        known = reading_of(draft, velocities, pin_image(velocities, closing, leg))
+        assert known is not None
+        results.append(Result(letter, value, known))
     return FreeScale(legs.driving.link, at, first, mu, tuple(results))
 
 

@@ -6,10 +6,12 @@ from the plan of positions, so that a vector of zero length needs no direction o
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from graphic_tmm.board import roles
 from graphic_tmm.board.draft import Draft
 from graphic_tmm.board.operations.instruments import meet, parallel
-from graphic_tmm.board.record import between
+from graphic_tmm.board.record import Mark, between
 from graphic_tmm.board.values import Point
 from graphic_tmm.chapters.kinematics import words as why
 from graphic_tmm.chapters.kinematics.acceleration_lines import (
@@ -20,9 +22,7 @@ from graphic_tmm.chapters.kinematics.acceleration_lines import (
     tangential_line,
 )
 from graphic_tmm.chapters.kinematics.bodies import Meshed, Positions
-from graphic_tmm.chapters.kinematics.closings import (
-    Closing,
-)
+from graphic_tmm.chapters.kinematics.closings import Closing, SpecialClosing
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.motion import (
     Images,
@@ -41,6 +41,8 @@ from graphic_tmm.mechanism.records import Mechanism
 from graphic_tmm.mechanism.structure import Structure
 
 VIEW = "accelerations"
+ClosingWay = Callable[[Draft, Positions, Motion, Motion, SpecialClosing], None]
+"""How a group of a class above II is drawn, by velocities on a plan of accelerations."""
 
 
 def draw_accelerations(
@@ -49,12 +51,16 @@ def draw_accelerations(
     structure: Structure,
     positions: Positions,
     velocities: Motion,
+    *,
+    view: str = VIEW,
+    mu: Mark | None = None,
+    way: ClosingWay = special_accelerations,
 ) -> Motion:
-    """Draw the plan of accelerations of the whole mechanism."""
-    draft.open(VIEW)
+    """Draw the plan of accelerations of the whole mechanism; ``mu``: its scale factor, if there is one."""
+    draft.open(view)
     pole = draft.take(Point, "π", 0j, role=roles.ACCELERATION)
-    mu = draft.scale("μ_a", "(m/s²)/mm")
-    draft.lay_out(pole)
+    mu = mu or draft.scale("μ_a", "(m/s²)/mm")
+    draft.lay_out(pole, mu)
     frame = positions.bodies[mechanism.frame.number]
     plan = Motion(Images(draft, pole, frame), mu)
     for pair in driven(mechanism, structure):
@@ -68,7 +74,7 @@ def draw_accelerations(
         elif isinstance(one, Closing):
             _group(draft, positions, velocities, plan, one)
         else:
-            special_accelerations(draft, positions, velocities, plan, one)
+            way(draft, positions, velocities, plan, one)
     hang_passive(positions, plan)
     for leg, _, point in passive_legs(positions, plan):
         line = tangential_line(draft, velocities, plan, point.letter, leg)

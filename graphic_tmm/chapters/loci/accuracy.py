@@ -24,4 +24,4 @@ def _quantities(project: Project) -> Iterator[Quantity]:
         yield Quantity(name, "m", (value,), 1, due=(value,), places=(LOCI,))
 
 
-ACCURACY = Accuracy(quantities=_quantities, places=(LOCI,), words=WORDS)
+ACCURACY = Accuracy(quantities=_quantities, places=(LOCI,), compared=tuple(WORDS), words=WORDS)

@@ -11,6 +11,10 @@ from support.plates import Machine, followed, machine
 from support.turns import in_turn
 
 import graphic_tmm as tmm
+from graphic_tmm.accuracy.measure import off
+from graphic_tmm.accuracy.quantities import quantities
+from graphic_tmm.accuracy.settings import hand_named
+from graphic_tmm.board.execute import prepare
 from graphic_tmm.chapters.free_scale.record import FREE_SCALE_PLAN, LONGEST
 from graphic_tmm.chapters.free_scale.task import FREE_SCALE
 from graphic_tmm.drawn import Drawn
@@ -104,6 +108,26 @@ def test_what_cannot_drive_is_named() -> None:
 def test_a_leg_whose_pin_all_but_stands_is_refused() -> None:
     with pytest.raises(TmmError, match="position 5: the pin of link 3 all but stands"):
         drawn(machine(0, guides=1).text, "at = 5")
+
+
+def test_by_a_student_it_is_as_true_as_the_special_point() -> None:
+    """1000 drawings of the screen in two positions, in the usual size."""
+    text = (ROOT / "sheets" / "swinging-screen" / "scene.toml").read_text("utf-8")
+    for at in (2, 8):
+        scene = tmm.read(text.replace("[free_scale]\nat = 1", f"[free_scale]\nat = {at}"))
+        work, errors = drawn_of(scene, exact=True), []
+        asked = [one for one in quantities(work.project) if one.places == (FREE_SCALE,)]
+        assert [one.at for one in asked] == [(at,), (at,)]
+        program = prepare(work.construction, [mark for one in asked for mark in one.marks])
+        by_hand = program.run(work.given, hand=hand_named("student", scene, 1000))
+        exact = program.run(work.given)
+        for one in asked:
+            due = one.read(exact, 1)
+            errors.append(off(one.read(by_hand, 1000), due, float(np.abs(due).max())).error)
+        first, again = (np.abs(one.read(exact, 1)) for one in asked)
+        assert np.allclose(first, again, rtol=1e-9)
+        assert 1.5 < errors[0] < 3.2
+        assert 0.85 < errors[1] / errors[0] < 1.15
 
 
 def test_a_scene_without_it_records_nothing() -> None:
