@@ -187,18 +187,11 @@ def branch_of(search: Search) -> Branch:
         If it does not say which of the places, or none is near what it says, or the plate can be laid nowhere.
     """
     tracing = search.tracing
-    near, angle, link, name = (
-        tracing.link.near,
-        tracing.angle,
-        tracing.link.number,
-        tracing.group.name,
-    )
+    near, link, name = tracing.link.near, tracing.link.number, tracing.group.name
     at, places = _begun(search, near)
-    own = [(math.degrees(float(np.angle(one.along)[0, 0])) - angle) for one in places]
-    own = [(one + 180.0) % 360.0 - 180.0 for one in own]
+    own = [_own_axis(tracing, one) for one in places]
     listed = ", ".join(f'"{one:.6g} deg"' for one in own)
-    unit = "deg" if search.sweep.turns else "mm"
-    where = f'"{at if search.sweep.turns else 1000.0 * at:.6g} {unit}"'
+    where = f'"{coordinate_text(search.sweep, at)}"'
     if not places:
         raise StructureError(
             said(
@@ -234,22 +227,35 @@ def branch_of(search: Search) -> Branch:
                 listed=listed,
             ),
             f"link {link}, near" if near else f"link {link}",
-            pictures=_pictures(search, at, places, own, where.strip('"')),
+            pictures=drawn_places(search, at, places),
         )
     return search.follow(places[order[0]], at)
 
 
-def _pictures(
-    search: Search, at: float, places: list[Line], own: list[float], where: str
-) -> tuple[DrawnRemedy, ...]:
-    """Return the places, each with what a scene writes that means it."""
-    loci, link = search.loci(np.array([at])), f"link {search.tracing.link.number}"
+def coordinate_text(sweep: Sweep, at: float) -> str:
+    """Return a coordinate of the drive as a scene writes it."""
+    return f"{at:.6g} deg" if sweep.turns else f"{1000.0 * at:.6g} mm"
+
+
+def _own_axis(tracing: Tracing, place: Line) -> float:
+    """Return the direction of a plate's own x axis in a place, degrees from −180 to 180."""
+    angle = math.degrees(float(np.angle(place.along)[0, 0])) - tracing.angle
+    return (angle + 180.0) % 360.0 - 180.0
+
+
+def drawn_places(search: Search, at: float, places: Iterable[Line]) -> tuple[DrawnRemedy, ...]:
+    """Return places at a coordinate drawn small, each with what a scene writes that means it."""
+    loci, tracing = search.loci(np.array([at])), search.tracing
+    link, where = f"link {tracing.link.number}", coordinate_text(search.sweep, at)
     return tuple(
         DrawnRemedy(
-            search.tracing.outline(loci, place),
-            ((f"{link}, near", f"{angle:.6g} deg"), (f"{link}, near_at", where)),
+            tracing.outline(loci, place),
+            (
+                (f"{link}, near", f"{_own_axis(tracing, place):.6g} deg"),
+                (f"{link}, near_at", where),
+            ),
         )
-        for place, angle in zip(places, own, strict=True)
+        for place in places
     )
 
 
