@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from graphic_tmm.drawn import DrawnScene
@@ -53,7 +53,7 @@ def assemblies(made: DrawnScene) -> list[dict[str, Any]]:
     ]
 
 
-def _group(one: GroupPlaces, language: str) -> Mapping[str, Any]:
+def _group(one: GroupPlaces, language: str) -> dict[str, Any]:
     speech, values = speaking(language), dict(one.places[one.taken].values)
     (near, _), (_, at) = values.items()
     link = near.split(",")[0].removeprefix("link ")
