@@ -32,6 +32,7 @@ from graphic_tmm.drawn import DrawnScene
 from graphic_tmm.errors import SheetError
 from graphic_tmm.files import environment
 from graphic_tmm.language.catalogue import speaking
+from graphic_tmm.page.assemblies import ASSEMBLIES, assemblies
 from graphic_tmm.page.crank import crank
 from graphic_tmm.page.dense import first_asked
 from graphic_tmm.page.error_shares import ERRORS, error_shares, marked_up
@@ -54,6 +55,8 @@ LOWER = 0.2
 
 ACCURACY, LENGTHS, PRACTICE, TURNING = "accuracy", "live", "practice", "turning"
 """The folders of what tells of accuracy, changes lengths, lets plans be drawn, turns cams and wheels."""
+PLACES = "assemblies"
+"""The folder of what shows the ways to assemble a group."""
 MAIN, ENTER, WRITTEN = "main", "enter", "written"
 """The module that begins a page; that of a folder which enters its ways of looking; one of the page alone."""
 
@@ -136,7 +139,7 @@ def modules_of(*folders: str) -> dict[str, str]:
 def folders() -> tuple[str, ...]:
     """Return the folders that enter ways of drawing oneself, practice before those that build on it."""
     found = [one.name for one in _WEB.iterdir() if one.is_dir() and (one / f"{ENTER}.js").is_file()]
-    return tuple(sorted({*found} - {ACCURACY, LENGTHS, TURNING}, reverse=True))
+    return tuple(sorted({*found} - {ACCURACY, LENGTHS, PLACES, TURNING}, reverse=True))
 
 
 def _texts(ending: str, *folders: str) -> dict[str, str]:
@@ -212,6 +215,9 @@ def page(
         data["turning"] = turning
         data["words"] |= _said(TURNS, language)
         further = (*further, TURNING)
+    if places := assemblies(made):
+        data["words"] |= _said(ASSEMBLIES, language)
+        further = (*further, PLACES)
     written = written_module(board, tables, logs) if tables or logs else ""
     program, looks = shortened(program_parts(*further, written=written)), style(*further)
     return (
@@ -224,6 +230,7 @@ def page(
             sheets=[(one, Markup(svg(one, layers=False))) for one in sheets],
             rubbed=[Markup(svg(_rubbed(one), layers=False)) for one in sheets],
             protocol=protocol_of(made, language) if made.boards else (),
+            assemblies=places,
             accuracy=_accuracy(weighed, data["words"]["error figure"]) if weighed else None,
             data=packed(data),
             rows=carried(turned.rows) if turned is not None else "",

@@ -15,6 +15,7 @@ from graphic_tmm.board.execute import Reading
 from graphic_tmm.board.record import Mark, segment_name
 from graphic_tmm.board.values import Length, Reals
 from graphic_tmm.drawn import Drawn, Results
+from graphic_tmm.errors import DrawnRemedy
 from graphic_tmm.language.symbols import plain
 from graphic_tmm.language.units import unit_name
 from graphic_tmm.paper.drawing import Drawing, Stroke
@@ -198,6 +199,17 @@ class Elsewhere(NamedTuple):
     given: Mapping[Mark, NDArray[np.float64]]
 
 
+class GroupPlaces(NamedTuple):
+    """The places that a group can take where it is drawn, each with what a scene writes that means it.
+
+    ``group``: its name; ``taken``: which of them (index) is drawn.
+    """
+
+    group: str
+    places: tuple[DrawnRemedy, ...]
+    taken: int
+
+
 @dataclass(frozen=True)
 class Readings(Answer):
     """What a chapter knows of readings.
@@ -207,7 +219,8 @@ class Readings(Answer):
     not there. ``named_marks``: marks by plan and the name that machines read.
     ``vectors``: the columns of the vectors that are measured on its plans. ``crossings``: by a point, other
     pairs of lines that meet there, each through two points, or through one along a line. ``choices``: points
-    that may be chosen otherwise. ``elsewhere``: what can be laid in other places by mistake.
+    that may be chosen otherwise. ``elsewhere``: what can be laid in other places by mistake;
+    ``places``: these and that which is drawn, small, for people to choose from.
     """
 
     stands: ClassVar[str] = "views.READINGS"
@@ -221,6 +234,7 @@ class Readings(Answer):
     crossings: Callable[[Project], Mapping[Mark, tuple[Crossed, ...]]] = lambda project: {}
     choices: Callable[[Drawn], Iterable[Choice]] = lambda drawn: ()
     elsewhere: Callable[[Drawn], Iterable[Elsewhere]] = lambda drawn: ()
+    places: Callable[[Drawn], Iterable[GroupPlaces]] = lambda drawn: ()
 
 
 class Former(NamedTuple):

@@ -89,7 +89,7 @@ def near_table(link: Link, told: Mapping[str, Any], drive: Drive) -> dict[str, A
     """Return which place of a plate is meant, where a scene does not say it."""
     if link.near is None or "near" in told:
         return {}
-    found: dict[str, Any] = {"near": _degrees(link.near.angle)}
+    found: dict[str, Any] = {"near": f"{link.near.angle:.6g} deg"}
     if (at := link.near.at) is not None:
         slides = drive.slides or drive.rack
         found["near_at"] = f"{at:.{DIGITS}g} m" if slides else _degrees(at)

@@ -18,6 +18,7 @@ from graphic_tmm.fitting.composition import Composition, composition_file, known
 from graphic_tmm.language.catalogue import Speech, speaking
 from graphic_tmm.language.reader import reader, reading
 from graphic_tmm.language.said import said
+from graphic_tmm.page.assemblies import in_square
 from graphic_tmm.page.page import page
 from graphic_tmm.paper.formats import AUTO
 from graphic_tmm.paper.lettering.letters import missing
@@ -120,23 +121,9 @@ def faults(error: TmmError, file: str, speech: Speech) -> tuple[SceneFault, ...]
 
 
 def _small(found: Sequence[DrawnRemedy]) -> Iterator[dict[str, object]]:
-    """Yield pictures, all of them to one scale, in a square of side 1."""
-    spots = [z for one in found for line in one.lines for z in line]
-    if not spots:
-        return
-    left, low = min(z.real for z in spots), min(z.imag for z in spots)
-    wide, high = max(z.real for z in spots) - left, max(z.imag for z in spots) - low
-    size = max(wide, high) or 1.0
-    corner = complex(left - (size - wide) / 2.0, low - (size - high) / 2.0)
-    for one in found:
-        lines = [
-            [round(x, 4) for z in line for x in _down((z - corner) / size)] for line in one.lines
-        ]
+    """Yield pictures, with what is written then."""
+    for one, lines in zip(found, in_square(found), strict=True):
         yield {"lines": lines, "values": dict(one.values)}
-
-
-def _down(spot: complex) -> tuple[float, float]:
-    return spot.real, 1.0 - spot.imag
 
 
 def _in_words(fault: Fault, speech: Speech) -> SceneFault:

@@ -34,6 +34,8 @@ LEAST = 1e-11
 """A step that is less than this share of the drive's way ends a branch: two places meet there."""
 MEANT = 30.0
 """So far from what a scene says, in degrees, a place may be that it means, if others are twice as far."""
+LISTED = 8
+"""At so many coordinates places are counted, to list them where there are most."""
 ALIKE = 1e-6
 """Two places that differ by less, rad, are one."""
 
@@ -184,18 +186,8 @@ def branch_of(search: Search) -> Branch:
         If it does not say which of the places, or none is near what it says, or the plate can be laid nowhere.
     """
     tracing = search.tracing
-    near, angle, link, name = (
-        tracing.link.near,
-        tracing.angle,
-        tracing.link.number,
-        tracing.group.name,
-    )
+    near, link, name = tracing.link.near, tracing.link.number, tracing.group.name
     at, places = _begun(search, near)
-    own = [(math.degrees(float(np.angle(one.along)[0, 0])) - angle) for one in places]
-    own = [(one + 180.0) % 360.0 - 180.0 for one in own]
-    listed = ", ".join(f'"{one:.6g} deg"' for one in own)
-    unit = "deg" if search.sweep.turns else "mm"
-    where = f'"{at if search.sweep.turns else 1000.0 * at:.6g} {unit}"'
     if not places:
         raise StructureError(
             said(
@@ -208,45 +200,72 @@ def branch_of(search: Search) -> Branch:
             else said(
                 "group {name} cannot be assembled at {at}: give another coordinate of the drive as near_at",
                 name=name,
-                at=where,
+                at=f'"{coordinate_text(search.sweep, at)}"',
             ),
             f"link {link}, near",
         )
-    apart = [abs((one - (near.angle if near else 0.0) + 180.0) % 360.0 - 180.0) for one in own]
-    order = sorted(range(len(own)), key=apart.__getitem__)
-    if (
-        near is None
-        or apart[order[0]] > MEANT
-        or (len(own) > 1 and apart[order[1]] < 2 * apart[order[0]])
-    ):
-        raise StructureError(
-            said(
-                "group {name} can be assembled in {count} ways at {letter} = {at}: give link {plate} the "
-                "direction of its own x axis there, near = one of {listed}, and near_at = {at}",
-                name=name,
-                count=len(own),
-                letter=search.sweep.letter,
-                at=where,
-                plate=link,
-                listed=listed,
-            ),
-            f"link {link}, near" if near else f"link {link}",
-            pictures=_pictures(search, at, places, own, where.strip('"')),
-        )
+    if near is None:
+        raise _several(search, *_most_places(search))
+    own = (_own_axis(tracing, one) for one in places)
+    apart = [abs((one - near.angle + 180.0) % 360.0 - 180.0) for one in own]
+    order = sorted(range(len(places)), key=apart.__getitem__)
+    if apart[order[0]] > MEANT or (len(order) > 1 and apart[order[1]] < 2 * apart[order[0]]):
+        raise _several(search, at, places)
     return search.follow(places[order[0]], at)
 
 
-def _pictures(
-    search: Search, at: float, places: list[Line], own: list[float], where: str
-) -> tuple[DrawnRemedy, ...]:
-    """Return the places, each with what a scene writes that means it."""
-    loci, link = search.loci(np.array([at])), f"link {search.tracing.link.number}"
+def _most_places(search: Search) -> tuple[float, list[Line]]:
+    """Return the one of a few coordinates of the drive at which there are most places, and these."""
+    sweep = search.sweep
+    row = (sweep.low + (sweep.high - sweep.low) * k / LISTED for k in range(LISTED))
+    tried = [_begun(search, None), *((at, search.places(at)) for at in row)]
+    return max(tried, key=lambda one: len(one[1]))
+
+
+def _several(search: Search, at: float, places: list[Line]) -> StructureError:
+    """Return the refusal of a scene that does not say which of several places it means."""
+    link, where = search.tracing.link, f'"{coordinate_text(search.sweep, at)}"'
+    own = (_own_axis(search.tracing, one) for one in places)
+    return StructureError(
+        said(
+            "group {name} can be assembled in {count} ways at {letter} = {at}: give link {plate} the "
+            "direction of its own x axis there, near = one of {listed}, and near_at = {at}",
+            name=search.tracing.group.name,
+            count=len(places),
+            letter=search.sweep.letter,
+            at=where,
+            plate=link.number,
+            listed=", ".join(f'"{one:.6g} deg"' for one in own),
+        ),
+        f"link {link.number}, near" if link.near else f"link {link.number}",
+        pictures=drawn_places(search, at, places),
+    )
+
+
+def coordinate_text(sweep: Sweep, at: float) -> str:
+    """Return a coordinate of the drive as a scene writes it."""
+    return f"{at:.6g} deg" if sweep.turns else f"{1000.0 * at:.6g} mm"
+
+
+def _own_axis(tracing: Tracing, place: Line) -> float:
+    """Return the direction of a plate's own x axis in a place, degrees from −180 to 180."""
+    angle = math.degrees(float(np.angle(place.along)[0, 0])) - tracing.angle
+    return (angle + 180.0) % 360.0 - 180.0
+
+
+def drawn_places(search: Search, at: float, places: Iterable[Line]) -> tuple[DrawnRemedy, ...]:
+    """Return places at a coordinate drawn small, each with what a scene writes that means it."""
+    loci, tracing = search.loci(np.array([at])), search.tracing
+    link, where = f"link {tracing.link.number}", coordinate_text(search.sweep, at)
     return tuple(
         DrawnRemedy(
-            search.tracing.outline(loci, place),
-            ((f"{link}, near", f"{angle:.6g} deg"), (f"{link}, near_at", where)),
+            tracing.outline(loci, place),
+            (
+                (f"{link}, near", f"{_own_axis(tracing, place):.6g} deg"),
+                (f"{link}, near_at", where),
+            ),
         )
-        for place, angle in zip(places, own, strict=True)
+        for place in places
     )
 
 

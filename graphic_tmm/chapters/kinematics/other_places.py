@@ -3,22 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.values import Reals
-from graphic_tmm.chapters.kinematics.branches import Search
-from graphic_tmm.chapters.kinematics.closings import Branch, with_plates
+from graphic_tmm.board.values import Line, Reals
+from graphic_tmm.chapters.kinematics.branches import Search, drawn_places
+from graphic_tmm.chapters.kinematics.closings import (
+    Branch,
+    PlateClosing,
+    SquareClosing,
+    with_plates,
+)
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
-from graphic_tmm.readers.columns import Elsewhere
+from graphic_tmm.readers.columns import Elsewhere, GroupPlaces
 
 PLACES = "other places"
 ALIKE = 1e-3
-"""Places whose plates are turned by less from one another, degrees, are one."""
+"""Places whose plates, and first legs, are turned by less from one another, degrees, are one."""
 
 
 def search_of(tried: Survey, group: str) -> Search:
@@ -32,40 +37,70 @@ def search_of(tried: Survey, group: str) -> Search:
     return Search(tracing, loci, tried.pairs[0].sweep)
 
 
-def _branches(tried: Survey, group: str, begun: float) -> Iterator[Branch]:
+class Traced(NamedTuple):
+    """A group that is laid, at a coordinate of the drive: its places there that go on, each a branch."""
+
+    closing: PlateClosing | SquareClosing
+    search: Search
+    at: float
+    places: tuple[tuple[Line, Branch], ...]
+
+    def taken(self, branch: Branch, row: Reals) -> bool:
+        """Tell whether a branch is that of the drawing, at coordinates where both are there."""
+        own, other = (np.stack(one.near(row)) for one in (self.closing.branch, branch))
+        away = np.abs((other - own + 180.0) % 360.0 - 180.0)
+        return not (np.isfinite(away).any() and np.nanmax(away) > ALIKE)
+
+
+def _followed(search: Search, at: float) -> Iterator[tuple[Line, Branch]]:
     """Yield all places at a coordinate of the drive, followed; none that comes back elsewhere."""
-    search = search_of(tried, group)
-    for place in search.places(begun):
+    for place in search.places(at):
         try:
-            yield search.follow(place, begun)
+            yield place, search.follow(place, at)
         except StructureError:
             continue
 
 
-def other_places(drawn: Drawn) -> Iterator[Elsewhere]:
-    """Yield the other places of each plate, or of two that are joined; they are sought once for a drawing."""
-    found: tuple[Elsewhere, ...] | None = drawn.cache.get(PLACES)
+def _coordinates(drawn: Drawn) -> Reals:
+    row = drawn.project.coordinates or ()
+    return np.array([np.nan if one is None else one for one in row])
+
+
+def traced_groups(drawn: Drawn) -> tuple[Traced, ...]:
+    """Return the groups that are laid, where the main position is or the first; sought once for a drawing."""
+    found: tuple[Traced, ...] | None = drawn.cache.get(PLACES)
     if found is None:
-        found = drawn.cache[PLACES] = tuple(_places(drawn))
-    yield from found
+        found = drawn.cache[PLACES] = tuple(_traced(drawn))
+    return found
 
 
-def _places(drawn: Drawn) -> Iterator[Elsewhere]:
-    made = KINEMATICS_PLAN.of(drawn.project)
-    row = drawn.project.coordinates
-    if made is None or not row:
+def _traced(drawn: Drawn) -> Iterator[Traced]:
+    plan, row = KINEMATICS_PLAN.of(drawn.project), _coordinates(drawn)
+    if plan is None or not row.size:
         return
-    at = np.array([np.nan if one is None else one for one in row])
-    for closing in with_plates(made.positions.closings, PLACES):
-        own = closing.branch.near(at)[1]
-        there = np.flatnonzero(np.isfinite(own))
-        if not there.size:
-            continue
-        for one in _branches(made.tried, closing.group.name, float(at[there[0]])):
-            near = one.near(at)
-            away = np.abs((near[1] - own + 180.0) % 360.0 - 180.0)
-            if np.isfinite(away).any() and np.nanmax(away) > ALIKE:
-                yield Elsewhere(
-                    closing.root,
-                    {mark: angle[None, :] for mark, angle in zip(closing.near, near, strict=True)},
-                )
+    for closing in with_plates(plan.positions.closings, PLACES):
+        there = np.flatnonzero(np.isfinite(closing.branch.near(row)[1]))
+        if there.size:
+            at = float(row[drawn.main if drawn.main in there else there[0]])
+            search = search_of(plan.tried, closing.group.name)
+            yield Traced(closing, search, at, tuple(_followed(search, at)))
+
+
+def other_places(drawn: Drawn) -> Iterator[Elsewhere]:
+    """Yield the other places of each plate, or of two that are joined."""
+    row = _coordinates(drawn)
+    for one in traced_groups(drawn):
+        for _, branch in one.places:
+            if not one.taken(branch, row):
+                near = zip(one.closing.near, branch.near(row), strict=True)
+                yield Elsewhere(one.closing.root, {mark: angle[None, :] for mark, angle in near})
+
+
+def group_places(drawn: Drawn) -> Iterator[GroupPlaces]:
+    """Yield the places of each group that is laid, drawn small, where it has several."""
+    row = _coordinates(drawn)
+    for one in traced_groups(drawn):
+        taken = [one.taken(branch, row) for _, branch in one.places]
+        if len(taken) > 1 and any(taken):
+            places = drawn_places(one.search, one.at, (place for place, _ in one.places))
+            yield GroupPlaces(one.closing.group.name, places, taken.index(True))

@@ -16,7 +16,7 @@ from graphic_tmm.chapters.kinematics.ink_positions import (
     draw_positions_ink,
 )
 from graphic_tmm.chapters.kinematics.ink_special_point import draw_special_points
-from graphic_tmm.chapters.kinematics.other_places import other_places
+from graphic_tmm.chapters.kinematics.other_places import group_places, other_places
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN, KinematicPlans
 from graphic_tmm.chapters.kinematics.scales import outlying, reaches
 from graphic_tmm.chapters.kinematics.special_choices import special_choices
@@ -301,4 +301,5 @@ READINGS = Readings(
     vectors=measured_vectors,
     choices=special_choices,
     elsewhere=other_places,
+    places=group_places,
 )

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from graphic_tmm.board.values import Complexes
-from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.errors import Fault, SceneError, StructureError
 from graphic_tmm.language.catalogue import Speech
 from graphic_tmm.language.said import Said, said
 from graphic_tmm.mechanism.records import Mechanism
@@ -46,7 +46,12 @@ from graphic_tmm.serve.scheme.sketches import (
 )
 from graphic_tmm.serve.scheme.standing import Standing, standing_of
 from graphic_tmm.serve.scheme.units import with_unit
-from graphic_tmm.serve.scheme.written import origin_of, positions_scene, scene_text
+from graphic_tmm.serve.scheme.written import (
+    nearest_place,
+    origin_of,
+    positions_scene,
+    scene_text,
+)
 
 MOST_PLACES = 720
 """So many places of a turn are told at the most."""
@@ -107,7 +112,14 @@ def scheme(
     text = _with_values(text, doc, asked, file, speech)
     if not text or "link" not in parsed(text.encode(), file)[1]:
         return _answer(BLANK, standing_of(BLANK, doc), speech)
-    found = _drawn(text, asked, file, speech)
+    try:
+        found = _drawn(text, asked, file, speech)
+    except StructureError as error:
+        if asked.sketch is None or not error.pictures:
+            raise
+        drawn = [complex(*place) for place in sketch["places"].values()]
+        text = edited(text.encode(), nearest_place(error.pictures, drawn), file).decode()
+        found = _drawn(text, asked, file, speech)
     errors = new_faults(data, text.encode(), file, missing) if data else ()
     if (asked.section or asked.own) and errors:
         raise SceneError(str(file), errors)

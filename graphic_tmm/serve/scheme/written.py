@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path as File
 
-from graphic_tmm.errors import Fault, SceneError
+from graphic_tmm.errors import DrawnRemedy, Fault, SceneError
 from graphic_tmm.mechanism.records import Link, Mechanism
 from graphic_tmm.mechanism.sketch import built
 from graphic_tmm.scene.document import Document, toml
@@ -29,6 +29,8 @@ SPAN = 0.15
 """A drive that slides goes so far to both sides of where it was drawn, of the size, until told else."""
 DEAD = 1e-6
 """Of a parallelogram the side is known up to its dead places: it is one, and was not drawn so by chance."""
+UNMOVED = 1e-6
+"""A point of a link that is off by no more than this share of the size was not moved."""
 BARE = ("task", "lengths", "frame", "joints", "link", "mesh", "drive")
 """The sections that say where everything lies."""
 
@@ -48,6 +50,10 @@ def scene_text(
     before = scene.mechanism if scene is not None else None
     lies, hand, parallel = paralleled(lies, driven, before, hand)
     found = built(lies, at[0] if turns else 0.0, before)
+    if before is not None and _moved(found.mechanism, before):
+        doc = _without_near(doc)
+        bare = tuple(replace(one, near=None) for one in lies.links)
+        found = built(replace(lies, links=bare), at[0] if turns else 0.0, before)
     mechanism = found.mechanism
     for name, doubt in found.doubt.items():
         least = DEAD if parallel.keys() & {*map(int, name.split("-"))} else UNSURE
@@ -62,6 +68,36 @@ def scene_text(
         tables["lengths"] = doc["lengths"]
     tables = with_named_sides(tables, link, parallel, before)
     return rewritten(text or _head(doc), tables, everywhere=scaled)
+
+
+def _moved(mechanism: Mechanism, before: Mechanism) -> bool:
+    """Tell whether lengths changed by which a plate may lie near another place than a scene says."""
+    known = {one.number: one.points for one in (before.frame, *before.links)}
+    least = UNMOVED * breadth_of(before)
+    return any(one.near is not None for one in before.links) and any(
+        abs(z - known[link.number][letter]) > least
+        for link in (mechanism.frame, *mechanism.links)
+        for letter, z in link.points.items()
+        if letter in known.get(link.number, ())
+    )
+
+
+def _without_near(doc: Document) -> Document:
+    """Return a scene that does not say near which place its plates lie."""
+    links = [
+        {key: value for key, value in one.items() if key not in ("near", "near_at")}
+        for one in doc["link"]
+    ]
+    return {**doc, "link": links}
+
+
+def nearest_place(places: Sequence[DrawnRemedy], drawn: Sequence[complex]) -> Mapping[str, str]:
+    """Return what is written to have that of several places whose pins are nearest to letters as drawn, m."""
+
+    def away(place: DrawnRemedy) -> float:
+        return sum(min(abs(z - one) for one in drawn) for line in place.lines for z in line)
+
+    return dict(min(places, key=away).values)
 
 
 def _sided(mechanism: Mechanism, before: Mechanism | None, group: str, file: File) -> Mechanism:

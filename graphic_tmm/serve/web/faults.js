@@ -56,9 +56,17 @@ export class Faults {
     }
     if (fault.source) made.append(element("code", {}, fault.source));
     made.append(element("p", {}, fault.text));
-    const pictures = this.choose === null ? [] : (fault.pictures ?? []);
-    if (pictures.length > 0) made.append(element("div", { class: "pictures" }, ...pictures.map((one) => this.picture(one))));
+    made.append(...this.pictures(fault));
     return made;
+  }
+
+  /**
+   * Return the ways out of a fault that are drawn, if it has any and the file may change.
+   * @param {Fault} fault
+   */
+  pictures({ pictures = [] }) {
+    if (this.choose === null || pictures.length === 0) return [];
+    return [element("div", { class: "pictures" }, ...pictures.map((one) => this.picture(one)))];
   }
 
   /**

@@ -58,6 +58,8 @@ const photo = new PhotoCheck(words, scene.name, tell);
 // where nothing is to be said of the scheme, it is how the scene stands
 const scheme = new Editor(words, sendScheme, (text) => tell(text || stood), scene.fixed);
 const memory = new Memory(scheme);
+/** What is drawn of how the scene could be, beside its scheme. */
+const waysOut = element("div", { class: "faults" });
 /** The version of the file that the scheme shows; "": none yet. */
 let schemed = "";
 /** The way of looking that was chosen. */
@@ -120,6 +122,7 @@ function hear(now) {
   sheets.show(now.sheets);
   frame.show(now);
   faults.show(now.errors, now.warnings);
+  waysOut.replaceChildren(...now.errors.flatMap((one) => faults.pictures(one)));
   values.follow(now.text_version);
   photo.follow(now.text_version);
   if (now.text_version !== schemed && looked === "scheme" && scheme.waiting === 0) loadScheme();
@@ -213,7 +216,7 @@ const ways = [
   ...(scene.photographed ? [{ name: "photo", title: words["photo"] ?? "", panel: photo.element }] : []),
 ];
 const side = element("aside", { "aria-label": words["values"] ?? "" }, faults.element, values.element, files());
-const schemeSide = element("aside", { "aria-label": words["scheme"] ?? "" }, scheme.side.element);
+const schemeSide = element("aside", { "aria-label": words["scheme"] ?? "" }, waysOut, scheme.side.element);
 if (scene.several) head.prepend(element("a", { href: "../../" }, words["scenes"] ?? ""));
 main.replaceChildren(...ways.map(({ panel }) => panel), side, schemeSide, photo.side.element);
 const theme = themeButton(words);

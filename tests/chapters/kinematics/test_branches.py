@@ -8,6 +8,7 @@ import re
 
 import numpy as np
 import pytest
+from support.gallery import SHEETS
 from support.plates import Machine, machine
 from support.turns import in_turn
 
@@ -95,3 +96,11 @@ def test_places_that_are_listed_are_taken() -> None:
         assert abs((found - float(angle) + 180) % 360 - 180) < 1e-3
         plates.add(round(found, 3))
     assert len(plates) == len(listed)
+
+
+def test_places_are_listed_where_there_are_most() -> None:
+    """Where the landing gear begins two of its places are; the other two come in as the drive moves on."""
+    text = (SHEETS / "landing-gear" / "scene.toml").read_text("utf-8")
+    bare = "".join(line for line in text.splitlines(True) if not line.startswith("near"))
+    with pytest.raises(TmmError, match="can be assembled in 4 ways"):
+        tmm.motion(tmm.read(bare), [0.5])

@@ -5,7 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
 from support.gallery import ROOT
+from support.plates import machine
 from support.studios import Tab, expect
 
 from graphic_tmm.scene.read import read
@@ -26,3 +28,25 @@ def test_a_click_on_a_place_writes_it(scene: Path, tab_of: Callable[..., Tab]) -
     assert near is not None
     assert f"near = {near.angle:.6g} deg" == listed[1]
     tab.shown()
+
+
+@pytest.mark.parametrize("seed", [1, 4])
+def test_places_stand_beside_the_scheme_too(
+    seed: int, scene: Path, tab_of: Callable[..., Tab]
+) -> None:
+    text = "".join(
+        line for line in machine(seed).text.splitlines(True) if not line.startswith("near")
+    )
+    scene.write_text(f'language = "en"\n{text}', encoding="utf-8")
+    tab = tab_of(f"s/{scene.parent.name}/#scheme")
+    places = tab.page.locator("aside:visible .pictures button")
+    expect(places.first).to_be_visible(timeout=30_000)
+    chosen = places.last.inner_text()
+    tab.allow(".*422.*")
+    places.last.click()
+    expect(places).to_have_count(0, timeout=30_000)
+    expect(tab.page.locator(".scheme-side .structure b")).to_have_text("W = 1", timeout=30_000)
+    expect(tab.page.locator(".scheme-side > .wrong")).to_have_text("")
+    near = read(scene).mechanism.by_number[5].near
+    assert near is not None
+    assert f"near = {near.angle:.6g} deg" == chosen
