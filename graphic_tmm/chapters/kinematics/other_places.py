@@ -9,12 +9,7 @@ import numpy as np
 
 from graphic_tmm.board.values import Line, Reals
 from graphic_tmm.chapters.kinematics.branches import Search, drawn_places
-from graphic_tmm.chapters.kinematics.closings import (
-    Branch,
-    PlateClosing,
-    SquareClosing,
-    with_plates,
-)
+from graphic_tmm.chapters.kinematics.closings import Branch, SpecialClosing, with_plates
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.survey import Survey
 from graphic_tmm.drawn import Drawn
@@ -40,7 +35,7 @@ def search_of(tried: Survey, group: str) -> Search:
 class Traced(NamedTuple):
     """A group that is laid, at a coordinate of the drive: its places there that go on, each a branch."""
 
-    closing: PlateClosing | SquareClosing
+    closing: SpecialClosing
     search: Search
     at: float
     places: tuple[tuple[Line, Branch], ...]
