@@ -79,7 +79,7 @@ def gallery_name(one: Standing) -> str:
     return one.scene.source.split("/")[-2]
 
 
-@each("name", PLAIN)
+@each("name", PLAIN, turns=20)
 def test_joints_say_the_mechanism_that_they_were_taken_from(name: str) -> None:
     """In three positions, the one time as they are, the other by the drawing's own guides and sides."""
     for one in standing(name):
@@ -195,7 +195,7 @@ def test_a_side_that_is_written_wins() -> None:
 
 
 @pytest.mark.slow
-@each("name", PLAIN)
+@each("name", PLAIN, turns=20)
 def test_a_hand_that_is_off_draws_the_same_assembly(name: str) -> None:
     """Joints clicked half a millimetre off on a drawing 150 mm wide: seldom far off, never the other side."""
     near = count = 0

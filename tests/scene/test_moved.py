@@ -91,7 +91,7 @@ def degrees(one: Standing) -> float:
     return one.at if not drive.slides and not drive.rack else 0.0
 
 
-@each("name", [name for name in gallery.NAMES if name not in SPECIAL])
+@each("name", [name for name in gallery.NAMES if name not in SPECIAL], turns=20)
 def test_a_joint_that_is_moved_stands_there_in_the_scene(name: str) -> None:
     """5 mm in the position drawn: to 1e-12 m, no comment lost; only links at the joint say anything new."""
     one, text = next(standing(name)), text_of(name)
@@ -105,7 +105,7 @@ def test_a_joint_that_is_moved_stands_there_in_the_scene(name: str) -> None:
         assert others(text, letter) == others(new, letter)
 
 
-@each("name", [name for name in gallery.NAMES if name not in SPECIAL])
+@each("name", [name for name in gallery.NAMES if name not in SPECIAL], turns=20)
 def test_a_hand_that_moves_a_joint_gives_whole_millimetres(name: str) -> None:
     one, text = next(standing(name)), text_of(name)
     for letter, there in movable(one):

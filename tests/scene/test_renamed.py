@@ -43,7 +43,7 @@ def places(text: str, renamed: dict[str, str]) -> dict[tuple[str, int], complex]
     }
 
 
-@each("name", gallery.NAMES)
+@each("name", gallery.NAMES, turns=20)
 def test_a_letter_is_renamed_wherever_it_stands(name: str) -> None:
     """A reference that were left would be a fault of the scene; of the motion nothing changes."""
     text = text_of(name)
@@ -57,7 +57,7 @@ def test_a_letter_is_renamed_wherever_it_stands(name: str) -> None:
         assert re.findall("#[^\n]*", new) == re.findall("#[^\n]*", text)
 
 
-@each("name", gallery.NAMES)
+@each("name", gallery.NAMES, turns=20)
 def test_a_link_is_renumbered_wherever_it_stands(name: str) -> None:
     text = text_of(name)
     was = places(text, {})
@@ -67,7 +67,7 @@ def test_a_link_is_renumbered_wherever_it_stands(name: str) -> None:
         assert places(new, {}) == pytest.approx(was, nan_ok=True)
 
 
-@each("name", gallery.NAMES)
+@each("name", gallery.NAMES, turns=20)
 def test_two_letters_are_exchanged_wherever_they_stand(name: str) -> None:
     text = text_of(name)
     was = places(text, {})

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from page.browser.test_looks import PHONE, SMALL, WIDE
 from support.axe import serious
+from support.looks import PHONE, SMALL, WIDE
 from support.plates import machine
 from support.squares import square
 

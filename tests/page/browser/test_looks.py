@@ -8,25 +8,12 @@ import pytest
 from support import pages
 from support.axe import STROKES, serious
 from support.lesson import names
+from support.looks import PHONE, SMALL, WIDE
 
 from graphic_tmm.readers.protocol import plans, steps_of
 
 LOOKED_AT = ("engine", "gear-pair", "lettering")
 """Scenes of a machine, of a part, of none."""
-PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
-WIDE = """() => {
-  const root = document.scrollingElement;
-  const beyond = (one) => one.getBoundingClientRect().right > root.clientWidth + 1 && one.checkVisibility();
-  const name = (one) => `${one.localName}.${one.className.baseVal ?? one.className}`;
-  const all = [...document.querySelectorAll("body *")];
-  return root.scrollWidth <= root.clientWidth ? [] : all.filter(beyond).map(name);
-}"""
-SMALL = """() => [...document.querySelectorAll("button, select, input, a[href], [role=slider], [role=tab]")]
-  .filter((one) => one.checkVisibility())
-  .map((one) => one.labels?.[0] ?? one)
-  .map((one) => [one.getAttribute("aria-label") ?? one.textContent.trim(), one.getBoundingClientRect()])
-  .filter(([, { width, height }]) => width < 43.5 || height < 43.5)
-  .map(([name, { width, height }]) => `${name}: ${width} × ${height}`)"""
 TAGS = ("wcag2a", "wcag2aa", "wcag21aa", "wcag22aa", "best-practice")
 
 

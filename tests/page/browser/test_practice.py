@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from support import gallery, pages
 from support.axe import serious
+from support.looks import PHONE
 
 from graphic_tmm.checking.cells import cells, points
 from graphic_tmm.checking.readings.read import read_readings
@@ -18,7 +19,6 @@ from graphic_tmm.page.page import page as written
 
 SCENE, PLAN, POSITION = "crank-rocker", "velocities", "2"
 ADDRESS = f"#practice:{PLAN}/all/{POSITION}"
-PHONE = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True}
 
 
 class Student:
