@@ -96,18 +96,16 @@ class Attachment:
     def _plate(self, plate: int, found: Sequence[tuple[int, Pair]]) -> PlateGroup:
         kinds = {n: (inner.kind == "P", self.outer[n][0].kind == "P") for n, inner in found}
         sliding = [number for number, one in kinds.items() if all(one)]
-        if sliding or all(any(one) for one in kinds.values()):
-            listed = sliding or [number for number, _ in found]
+        if sliding:
             raise StructureError(
                 said(
-                    "links {names} and {plate} make a group of class III: this board draws it where one of the "
-                    "three has turning pairs alone, and each of the others at most one sliding pair; links "
-                    "{listed} do not",
+                    "links {names} and {plate} make a group of class III: this board draws it where each of "
+                    "the three has at most one sliding pair; links {listed} do not",
                     names=", ".join(str(number) for number, _ in found),
                     plate=plate,
-                    listed=", ".join(map(str, listed)),
+                    listed=", ".join(map(str, sliding)),
                 ),
-                *(f"link {number}, slides" for number in listed),
+                *(f"link {number}, slides" for number in sliding),
             )
         first, second, third = sorted(found, key=lambda one: (*kinds[one[0]], one[0]))
         legs = tuple(

@@ -285,7 +285,7 @@ def test_links_that_could_drive_are_those_that_trying_all_drives_gives(seed: int
     drawn = [one.mechanism for one in sample(40, seed=seed, dyads=(1, 4))]
     drawn += [
         tmm.read(machine(10 * seed + k, guides=guides, slots=slots).text).mechanism
-        for k, (guides, slots) in enumerate([(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2)])
+        for k, (guides, slots) in enumerate((g, s) for g in range(4) for s in range(4 - g))
     ]
     drawn += [tmm.read(square(10 * seed + k).text).mechanism for k in range(9)]
     several = 0

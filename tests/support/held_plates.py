@@ -153,7 +153,8 @@ def _with_plate(
     pins = [sheet.letter(sheet.near(middle, 0.4, 1.4)) for _ in legs]
     sliding = source.sample(legs, guides)
     slotted = source.sample([leg for leg in legs if leg not in sliding], slots)
-    sheet.put(plate, *(pin for leg, pin in zip(legs, pins, strict=True) if leg not in slotted))
+    own = [pin for leg, pin in zip(legs, pins, strict=True) if leg not in slotted]
+    sheet.put(plate, *(own or [sheet.letter(middle)]))
     bodies = [source.choice(there) for _ in legs]
     if set(bodies) == {frame}:
         return None
@@ -207,7 +208,9 @@ def _with_plate(
         turned = math.radians(direction(group.inner[1], plate)) + sheet.poses[plate][2]
         along_plate = cmath.rect(1.0, turned)
     near = [
-        math.degrees(cmath.phase(sheet.places[pin] - sheet.places[pivot])),
+        math.degrees(
+            cmath.phase(sheet.places[pin] - sheet.places[pivot] if pivot else along_plate)
+        ),
         math.degrees(cmath.phase(along_plate)),
     ]
     at = np.array([drawn.phi - 1.0, drawn.phi + 1.0])

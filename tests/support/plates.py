@@ -284,8 +284,9 @@ def machine(
 ) -> Machine:
     """Return a random mechanism with a plate, laid at some angle of its crank.
 
-    ``guides``: so many legs slide; ``slots``: so many slide along the plate, behind these; ``before``: one leg
-    is held by a dyad on the crank; ``behind``: a dyad hangs on the plate.
+    ``guides``: so many legs slide, if all three the first on what drives; ``slots``: so many slide along the
+    plate, behind these; ``before``: one leg is held by a dyad on the crank; ``behind``: a dyad hangs on the
+    plate.
     """
     one = Assembly(seed)
     world = one.world
@@ -299,13 +300,14 @@ def machine(
     angle = 2 * math.pi * one.some(0, 1)
     legs = []
     pins = "BCF"[: 3 - slots]
+    turning = len(pins) - guides
     for k, letter in enumerate(pins):
-        if k < len(one.held):
+        if k < min(turning, len(one.held)):
             outer, on = one.held[-1 - k]
             leg = one.rod(outer, letter)
             one.pin(outer, leg, on)
-        elif k >= len(pins) - guides:
-            leg = _sliding(one, letter, f"q{k}")
+        elif k >= turning:
+            leg = _sliding(one, letter, f"q{k}", 0 if guides < 3 or k else one.held[-1][1])
         else:
             outer = "DE"[k - 1]
             one.fix(outer, world[letter] + one.polar(0.1, 0.25))
@@ -317,7 +319,8 @@ def machine(
     for leg, letter in zip(legs, pins, strict=True):
         one.pin(letter, leg, plate)
     for k in range(len(pins), 3):
-        outer, on = one.held[0] if before and k == len(pins) else ("DE"[k - 1], 0)
+        driven = one.held[0 if turning else -1] if before or not turning else None
+        outer, on = driven if driven and k == len(pins) else ("DE"[k - 1], 0)
         if not on:
             one.fix(outer, world["BCF"[k]] + one.polar(0.0, 0.1))
         _slotted(one, plate, outer, on, f"s{k}")
@@ -326,13 +329,22 @@ def machine(
     return one.machine("Plate")
 
 
-def _sliding(one: Assembly, letter: str, name: str) -> int:
-    """Put a slider on a letter, along a guide of the frame."""
+def _sliding(one: Assembly, letter: str, name: str, on: int) -> int:
+    """Put a slider on a letter, along a guide of the frame (0) or of a body."""
     way = 360 * one.some(0, 1)
     one.polar(0.02, 0.05)
     through = one.world[letter] + cmath.exp(1j * math.radians(way)) * one.some(0.02, 0.06)
-    one.frame[name], one.frame[f"{name} angle"] = through, complex(way)
     leg = one.link(one.world[letter], math.radians(way), letter)
+    if on:
+        at, angle = one.bodies.poses[on]
+        through, own = (through - at) * cmath.exp(-1j * angle), way - math.degrees(angle)
+        one.rails.setdefault(on, []).append(
+            f'{name} = {{ through = [{through.real!r}, {through.imag!r}], angle = "{own!r} deg" }}'
+        )
+        one.bodies.guides.append(Guide(leg, 0j, on, through, math.radians(own)))
+        one.lines[leg] = [f'slides = {{ on = {on}, along = "{name}" }}']
+        return leg
+    one.frame[name], one.frame[f"{name} angle"] = through, complex(way)
     one.bodies.guides.append(Guide(leg, 0j, 0, through, math.radians(way)))
     one.lines[leg] = [f'slides = {{ on = "frame", along = "{name}" }}']
     return leg

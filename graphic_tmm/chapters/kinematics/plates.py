@@ -7,7 +7,13 @@ import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
-from graphic_tmm.board.draft import ROUNDING
+from graphic_tmm.board.draft import ROUNDING, Draft
+from graphic_tmm.board.operations.on_slides import (
+    lay_on_guide_past,
+    lay_on_guides,
+    lay_on_guides_past,
+    lay_past_all,
+)
 from graphic_tmm.board.operations.slots import trace_on_guide_past, trace_past, trace_past_both
 from graphic_tmm.board.operations.tracing import prick, trace, trace_on_guide, trace_on_guides
 from graphic_tmm.board.record import Mark
@@ -27,20 +33,26 @@ from graphic_tmm.chapters.kinematics.closings import (
     PlateClosing,
 )
 from graphic_tmm.chapters.kinematics.dyads import Ground
-from graphic_tmm.chapters.kinematics.tracings import Groove, PlateTracing, Tracing
+from graphic_tmm.chapters.kinematics.tracings import Groove, PlateTracing, SlidesTracing, Tracing
+from graphic_tmm.errors import StructureError
+from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import Leg, Pair, PlateGroup
 from graphic_tmm.mechanism.guides import direction, level
 from graphic_tmm.mechanism.records import Link
 
 TRACINGS = {
-    (Arc, Arc): trace,
-    (Arc, Line): trace_on_guide,
-    (Line, Line): trace_on_guides,
-    (Arc, Point): trace_past,
-    (Line, Point): trace_on_guide_past,
-    (Point, Point): trace_past_both,
+    (Arc, Arc, Arc): trace,
+    (Arc, Arc, Line): trace_on_guide,
+    (Arc, Line, Line): trace_on_guides,
+    (Arc, Arc, Point): trace_past,
+    (Arc, Line, Point): trace_on_guide_past,
+    (Arc, Point, Point): trace_past_both,
+    (Line, Line, Line): lay_on_guides,
+    (Line, Line, Point): lay_on_guides_past,
+    (Line, Point, Point): lay_on_guide_past,
+    (Point, Point, Point): lay_past_all,
 }
-"""How a plate is laid, by what holds its second and its third leg: arcs, guides, pivots that its own pass."""
+"""How a plate is laid, by what holds its legs: arcs, guides, pivots that its own pass."""
 
 
 Followed = Callable[[Tracing], Branch]
@@ -63,6 +75,26 @@ class _Held(NamedTuple):
     def pin(self) -> str:
         """The letter of its pin on the plate; of its pivot, where it slides along that."""
         return self.leg.pair.name if self.slid else self.inner.name
+
+    def own_pin(self, plate: Link) -> str:
+        """Return the letter of its pin on the plate, or where it slides along that of any point there.
+
+        Raises
+        ------
+        StructureError
+            If the plate has no point.
+        """
+        if not self.slid:
+            return self.pin
+        if not plate.points:
+            raise StructureError(
+                said(
+                    "link {plate} has guides alone: give it a point, from which they are laid out",
+                    plate=plate.number,
+                ),
+                f"link {plate.number}, points",
+            )
+        return next(iter(plate.points))
 
     def locus(self, ground: Ground) -> Mark:
         """Draw what its pin keeps to, an arc or a guide; return its pivot, where it slides along the plate."""
@@ -111,7 +143,8 @@ def close_plate(
     ]
     pins = tuple(one.pin for one in held)
     loci = [one.locus(ground) for one in held]
-    _, second, third = held
+    first, second, third = held
+    start = first.own_pin(link)
     # the line of a plate is that of its first two pins, or goes along the guide of its second leg
     chord = [link.points[pin] for pin in pins[:2] if pin in link.points]
     way = (
@@ -119,32 +152,35 @@ def close_plate(
         if second.slid
         else math.degrees(cmath.phase(chord[1] - chord[0]))
     )
-    axis = Body(link, link.points[pins[0]], way, lambda: root)
+    axis = Body(link, link.points[start], way, lambda: root)
     own = [one.own(axis) for one in held]
-    branch = follow(PlateTracing(group, link, tuple(loci), way, (own[1], own[2])))
-    arm = f"{group.legs[0].pair.name}{pins[0]}"
     line = second.inner.name if second.slid else "".join(pins[:2])
-    near = draft.take(Angle, f"≈{arm}", 0.0, "°"), draft.take(Angle, f"≈{line}", 0.0, "°")
+    turns = loci[0].kind is Arc
+    lain = (f"{first.leg.pair.name}{pins[0]}", line) if turns else (line,)
+    near = [draft.take(Angle, f"≈{letters}", 0.0, "°") for letters in lain]
+    laid: Tracing = SlidesTracing(group, link, tuple(loci), way, tuple(own))
+    if turns:
+        laid = PlateTracing(group, link, tuple(loci), way, (own[1], own[2]))
+    branch = follow(laid)
     sizes = [
         draft.length(f"h_{{{line}}}", own[1].height)
         if isinstance(own[1], Groove)
         else draft.length(line, own[1].real)
     ]
     if isinstance(own[2], Groove):
-        sizes += [
-            draft.length(f"h_{{{third.inner.name}}}", own[2].height),
-            draft.direction(own[2].bend),
-        ]
+        sizes += _sizes(draft, third, own[2])
     else:
         sizes += [
             draft.length(f"x_{{{pins[2]}}}", own[2].real),
             draft.length(f"y_{{{pins[2]}}}", own[2].imag),
         ]
-    tracing = TRACINGS[loci[1].kind, loci[2].kind]
+    if isinstance(own[0], Groove):
+        sizes += _sizes(draft, first, own[0])
+    tracing = TRACINGS[loci[0].kind, loci[1].kind, loci[2].kind]
     because = why.TRACING_PAST if third.slid else why.TRACING
     root = draft.draw(tracing, f"({line})", *loci, *sizes, *near, why=because)
-    stand(axis, pins[0], draft.draw(prick, pins[0], root, why=why.PRICKED), axis.at)
-    draw_points(draft, axis, pins[0])
+    stand(axis, start, draft.draw(prick, start, root, why=why.PRICKED), axis.at)
+    draw_points(draft, axis, start)
     ground.bodies[group.plate] = axis
     points = [
         locus if one.slid else axis.marks[one.pin] for one, locus in zip(held, loci, strict=True)
@@ -160,6 +196,12 @@ def close_plate(
         (pins[0], pins[1], pins[2]),
         (points[0], points[1], points[2]),
         line,
-        near,
+        (near[0], near[-1]),
         branch,
     )
+
+
+def _sizes(draft: Draft, held: _Held, own: Groove) -> list[Mark]:
+    """Enter how far a guide of the plate is off its first point, and at which angle to the plate's line."""
+    height = draft.length(f"h_{{{held.inner.name}}}", own.height)
+    return [height, draft.direction(own.bend)]

@@ -14,6 +14,15 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from graphic_tmm.board.operations.joined import Square, on_links, square_laid
+from graphic_tmm.board.operations.on_slides import (
+    Hold,
+    OnSlides,
+    balance,
+    guide_hold,
+    slides_laid,
+    slot_hold,
+    turned,
+)
 from graphic_tmm.board.operations.slots import Slot, slot_fit
 from graphic_tmm.board.operations.tracing import (
     Fit,
@@ -104,12 +113,7 @@ class PlateTracing:
     def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
         """Return the two legs of which the lines, or what is square to the guides, cross most squarely."""
         plate = self._traced(loci, lies)
-        normals = lies.at, plate.second.normal, plate.third.normal
-        least = {
-            (a, b): float(np.abs((np.conj(normals[a]) * normals[b]).imag).min())
-            for a, b in combinations(range(3), 2)
-        }
-        return max(least, key=lambda two: round(least[two], 9))
+        return _crossing(lies.at, plate.second.normal, plate.third.normal)
 
     def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
         """Return the plate and its legs, of one that slides a piece of the guide."""
@@ -134,17 +138,83 @@ class PlateTracing:
         return TracedPlate(lies, loci[0].radius, b, second, third)
 
 
+def _crossing(*normals: Complexes) -> tuple[int, int]:
+    """Return which two of three directions are most square to each other where they are least so."""
+    least = {
+        (a, b): float(np.abs((np.conj(normals[a]) * normals[b]).imag).min())
+        for a, b in combinations(range(3), 2)
+    }
+    return max(least, key=lambda two: round(least[two], 9))
+
+
 def _first(values: Complexes) -> complex:
     return complex(np.ravel(values)[0])
+
+
+def _slot(own: Groove) -> Slot:
+    return Slot(np.array([[turn(own.bend)]]), np.array([[own.height]]))
 
 
 def _fit(own: complex | Groove, locus: Any, b: Complexes, lies: Line) -> Fit:
     """Return how a plate whose first pin is at ``b`` keeps to a locus, or its guide to a pivot."""
     if isinstance(own, Groove):
-        slot = Slot(np.array([[turn(own.bend)]]), np.array([[own.height]]))
-        return slot_fit(locus, slot, b, lies)
+        return slot_fit(locus, _slot(own), b, lies)
     arm = np.array([[own]])
     return (arc_fit if isinstance(locus, Arc) else line_fit)(locus, arm, b, lies)
+
+
+@dataclass(frozen=True)
+class SlidesTracing:
+    """A plate of which no leg turns: the guides of its pins, or the pivots that its guides pass.
+
+    ``own``: where its pins are from its first point, along and to the left of its line, m; or the guides. Its
+    line alone tells its places apart: it stands for the first leg, too.
+    """
+
+    group: AssurGroup
+    link: Link
+    loci: tuple[Mark, ...]
+    angle: float
+    own: tuple[complex | Groove, ...]
+
+    def corrected(self, loci: Loci, lies: Line) -> Line:
+        """Return how it lies after one correction."""
+        way = turned(self._held(loci, lies))
+        return Line(way, way)
+
+    def laid(self, loci: Loci, lies: Line) -> Laid:
+        """Return how it came to lie, and how well its three legs hold it."""
+        return slides_laid(self._held(loci, lies))
+
+    def crossing(self, loci: Loci, lies: Line) -> tuple[int, int]:
+        """Return the two legs of which what is square to the guides crosses most squarely."""
+        _, _, *holds = self._held(loci, lies)
+        return _crossing(*(one.normal for one in holds))
+
+    def outline(self, loci: Loci, lies: Line) -> tuple[tuple[complex, ...], ...]:
+        """Return the plate, and of each guide a piece."""
+        plate = self._held(loci, lies)
+        b = _first(plate.origin + balance(plate).place)
+        holds = plate.first, plate.second, plate.third
+        pins = [
+            _first(locus) if isinstance(own, Groove) else b + own * _first(lies.along)
+            for own, locus in zip(self.own, loci, strict=True)
+        ]
+        way = GUIDE * max(abs(one - other) for one in pins for other in pins)
+        along = [1j * way * _first(one.normal) for one in holds]
+        guides = [(pin - one, pin + one) for pin, one in zip(pins, along, strict=True)]
+        return (*pins, pins[0]), *guides
+
+    def _held(self, loci: Loci, lies: Line) -> OnSlides:
+        origin = loci[0].at if isinstance(loci[0], Line) else loci[0]
+
+        def hold(own: complex | Groove, locus: Any) -> Hold:
+            if isinstance(own, Groove):
+                return slot_hold(locus, _slot(own), lies.along, origin)
+            return guide_hold(locus, np.array([[own]]), lies.along, origin)
+
+        first, second, third = map(hold, self.own, loci)
+        return OnSlides(lies.along, origin, first, second, third)
 
 
 @dataclass(frozen=True)

@@ -155,7 +155,8 @@ def trace_place(bench: Bench) -> Mark:
     made, draft = LOCI_PLAN.on(bench), bench.draft
     closing, off = made.closing, made.loosened.off
     draft.open(TRACED)
-    tracing = TRACINGS[made.held[1][1].kind, made.held[2][1].kind]
+    first, second, third = (held.kind for _, held in made.held)
+    tracing = TRACINGS[first, second, third]
     lengths = [
         draft.length(name, size)
         for name, size in (
@@ -211,6 +212,16 @@ def _plate(tried: Survey, order: LociTask) -> PlateClosing:
         raise StructureError(
             said(
                 "link {n} slides along one of its legs: no pin of it draws a locus; leave [loci] out",
+                n=found[0].plate,
+            ),
+            f"link {found[0].plate}",
+            head=LOCI,
+        )
+    if not isinstance(found[0].legs[0], PinLeg):
+        raise StructureError(
+            said(
+                "no leg of link {n} turns: without one leg no pin of it draws a locus about a pivot; leave "
+                "[loci] out",
                 n=found[0].plate,
             ),
             f"link {found[0].plate}",

@@ -271,6 +271,10 @@ WANDERING = (
     "trace_past",
     "trace_on_guide_past",
     "trace_past_both",
+    "lay_on_guides",
+    "lay_on_guides_past",
+    "lay_on_guide_past",
+    "lay_past_all",
     "trace_joined",
 )
 """From far off corrections wander by rounding: from near they are compared by whole mechanisms."""

@@ -17,10 +17,12 @@ KINDS = {
     "plain": (4, {}),
     "a guide": (0, {"guides": 1}),
     "two guides": (2, {"guides": 2}),
+    "three guides": (1, {"guides": 3}),
     "before": (2, {"before": True}),
     "behind": (4, {"behind": True}),
     "along it": (5, {"slots": 1, "guides": 1}),
     "two along it": (6, {"slots": 2, "before": True}),
+    "three along it": (2, {"slots": 3}),
 }
 AT = np.arange(5.0, 360.0, 35.0)
 

@@ -247,7 +247,7 @@ def check(seed: int, guides: int, behind: int, slots: int = 0) -> None:
 
 
 @pytest.mark.parametrize("behind", range(3))
-@pytest.mark.parametrize("guides", range(3))
+@pytest.mark.parametrize("guides", range(4))
 def test_a_plate_on_any_legs_bears_as_newton_and_euler_say(
     guides: int, behind: int, many: Callable[[int, int], int]
 ) -> None:
@@ -256,7 +256,7 @@ def test_a_plate_on_any_legs_bears_as_newton_and_euler_say(
         check(9000 + 100 * behind + seed, guides, behind)
 
 
-@pytest.mark.parametrize(("guides", "slots"), [(0, 1), (1, 1), (0, 2)])
+@pytest.mark.parametrize(("guides", "slots"), [(0, 1), (1, 1), (2, 1), (0, 2), (1, 2), (0, 3)])
 def test_a_plate_with_legs_along_it_bears_as_newton_and_euler_say(
     guides: int, slots: int, many: Callable[[int, int], int]
 ) -> None:
@@ -271,7 +271,10 @@ def test_a_plate_with_legs_along_it_bears_as_newton_and_euler_say(
     assert left <= count // 3
 
 
-@pytest.mark.parametrize(("guides", "slots"), [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2)])
+@pytest.mark.parametrize(
+    ("guides", "slots"),
+    [(0, 0), (1, 0), (2, 0), (3, 0), (0, 1), (1, 1), (2, 1), (0, 2), (1, 2), (0, 3)],
+)
 def test_friction_of_a_plate_settles_at_the_judges_equilibrium(
     guides: int, slots: int, many: Callable[[int, int], int]
 ) -> None:

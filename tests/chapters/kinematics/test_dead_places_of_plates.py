@@ -34,6 +34,10 @@ MACHINES: dict[str, Callable[[int], Machine]] = {
     "slot": lambda seed: machine(seed, slots=1),
     "guide and slot": lambda seed: machine(seed, guides=1, slots=1),
     "slots": lambda seed: machine(seed, slots=2),
+    "three guides": lambda seed: machine(seed, guides=3),
+    "two guides and slot": lambda seed: machine(seed, guides=2, slots=1),
+    "guide and two slots": lambda seed: machine(seed, guides=1, slots=2),
+    "three slots": lambda seed: machine(seed, slots=3),
     "joined": lambda seed: square(seed).machine,
     "joined, before": lambda seed: square(seed, before=True).machine,
 }

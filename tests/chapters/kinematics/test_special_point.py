@@ -25,7 +25,13 @@ KINDS = (
     {"slots": 1, "guides": 1, "behind": True},
     {"slots": 2, "before": True},
     {"slots": 1, "before": True, "behind": True},
+    {"guides": 3},
+    {"guides": 2, "slots": 1, "behind": True},
+    {"guides": 1, "slots": 2, "before": True},
+    {"slots": 3},
 )
+LEGS = [(guides, slots) for guides in range(4) for slots in range(4 - guides)]
+"""So many of three legs slide, so many of these along the plate."""
 CASES = [(seed, seed % len(KINDS)) for seed in range(300)]
 
 
@@ -53,7 +59,7 @@ def test_where_the_plate_stops_is_within_a_hundredth_of_a_degree() -> None:
     assert [math.isfinite(one) for one in omega] == [True, False, True, False]
 
 
-@pytest.mark.parametrize(("guides", "slots"), [(0, 0), (1, 0), (2, 0), (0, 1), (1, 1), (0, 2)])
+@pytest.mark.parametrize(("guides", "slots"), LEGS)
 def test_a_plate_in_machine_code_moves_as_step_by_step(guides: int, slots: int) -> None:
     one = machine(11 + guides, guides=guides, slots=slots)
     row = followed(one)
@@ -67,7 +73,7 @@ def test_a_plate_in_machine_code_moves_as_step_by_step(guides: int, slots: int) 
         assert (np.isnan(omega) == np.isnan(fast.omega[link])).all()
 
 
-SLOTTED = ({"slots": 1}, {"slots": 1, "guides": 1}, {"slots": 2})
+SLOTTED = ({"slots": 1}, {"slots": 1, "guides": 1}, {"slots": 2}, {"guides": 3}, {"slots": 3})
 
 
 @pytest.mark.parametrize(("seed", "kind"), [(3, 0), (13, 1), (14, 2)])

@@ -26,6 +26,10 @@ TEXTS = {
     "along it": lambda: machine(5, slots=1).text,
     "along it, and a guide": lambda: machine(8, slots=1, guides=1).text,
     "two along it": lambda: machine(2, slots=2).text,
+    "three guides": lambda: machine(1, guides=3).text,
+    "two guides, along it": lambda: machine(1, guides=2, slots=1).text,
+    "a guide, two along it": lambda: machine(0, guides=1, slots=2).text,
+    "three along it": lambda: machine(2, slots=3).text,
     "a dyad before": lambda: machine(2, before=True).text,
     "a dyad behind": lambda: machine(4, behind=True).text,
     "joined plates": lambda: square(0).text,
@@ -37,6 +41,10 @@ TRACINGS = (
     "trace_past",
     "trace_on_guide_past",
     "trace_past_both",
+    "lay_on_guides",
+    "lay_on_guides_past",
+    "lay_on_guide_past",
+    "lay_past_all",
     "trace_joined",
 )
 
