@@ -88,7 +88,7 @@ class Balance(NamedTuple):
 
 def balance(plate: OnSlides) -> Balance:
     """Return how far a plate is off its three legs."""
-    _, _, a, b, c = plate
+    a, b, c = plate.first, plate.second, plate.third
     bc, ca, ab = wedge(b.normal, c.normal), wedge(c.normal, a.normal), wedge(a.normal, b.normal)
     growth = a.slope * bc + b.slope * ca + c.slope * ab
     growth = growth + a.off * (wedge(b.turn, c.normal) + wedge(b.normal, c.turn))
@@ -169,13 +169,16 @@ def _past_both(
 
 
 def _past_all(
-    way: Complexes, pivots: tuple[Point, Point, Point], slots: tuple[Slot, Slot, Slot]
+    way: Complexes, first: Point, second: Point, third: Point, other: Slot, one: Slot, two: Slot
 ) -> OnSlides:
     """Return a plate turned to ``way``, three guides of its own at points."""
-    first, second, third = (
-        slot_hold(pivot, slot, way, pivots[0]) for pivot, slot in zip(pivots, slots, strict=True)
+    return OnSlides(
+        way,
+        first,
+        slot_hold(first, other, way, first),
+        slot_hold(second, one, way, first),
+        slot_hold(third, two, way, first),
     )
-    return OnSlides(way, pivots[0], first, second, third)
 
 
 @operation(symbol=_SYMBOL, fails=_FAILS, why=_WHY)
@@ -259,12 +262,15 @@ def lay_past_all(
     Its line goes from its first point along its second guide; ``tilt``, ``bend``: the angles from that to the
     others; ``apart``, ``h``, ``other``: how far the points are to the left of parallels to the guides there.
     """
-    slots = Slot(cis(tilt), other), Slot(cis(0.0 * bend), apart), Slot(cis(bend), h)
-    pivots, near = (first, second, third), cis(plate)
-    way = turned(_past_all(near, pivots, slots))
-    way = turned(_past_all(way, pivots, slots))
-    way = turned(_past_all(way, pivots, slots))
-    way = turned(_past_all(way, pivots, slots))
-    way = turned(_past_all(way, pivots, slots))
-    way = turned(_past_all(way, pivots, slots))
-    return _pricked(_past_all(way, pivots, slots), _past_all(near, pivots, slots))
+    one, two, near = Slot(cis(0.0 * bend), apart), Slot(cis(bend), h), cis(plate)
+    tilted = Slot(cis(tilt), other)
+    way = turned(_past_all(near, first, second, third, tilted, one, two))
+    way = turned(_past_all(way, first, second, third, tilted, one, two))
+    way = turned(_past_all(way, first, second, third, tilted, one, two))
+    way = turned(_past_all(way, first, second, third, tilted, one, two))
+    way = turned(_past_all(way, first, second, third, tilted, one, two))
+    way = turned(_past_all(way, first, second, third, tilted, one, two))
+    return _pricked(
+        _past_all(way, first, second, third, tilted, one, two),
+        _past_all(near, first, second, third, tilted, one, two),
+    )
