@@ -71,15 +71,15 @@ WRONG: dict[str, tuple[Mechanism, tuple[str, ...]]] = {
         ),
         ("3",),
     ),
-    "three links that slide hold a plate": (
+    "a link that slides at both ends holds a plate": (
         mechanism(
             link(1, "OA"),
-            link(2, "B", Slide(1, X)),
-            link(3, "BDE"),
+            link(2, "B", Slide(1, X), Slide(3, Z)),
+            link(3, "DE", guides=(Z,)),
             link(4, "D", Slide(0, Y)),
             link(5, "E", Slide(0, X)),
         ),
-        ("links 2, 4, 5 and 3", "turning pairs alone", "driven by link 4"),
+        ("links 2, 4, 5 and 3", "one sliding pair; links 2 do not", "driven by link 4"),
     ),
     "two shared letters": (
         mechanism(link(1, "OA"), link(2, "AB"), link(3, "AB")),

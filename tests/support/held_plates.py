@@ -14,8 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.chapters.kinematics.closings import Branch
-from graphic_tmm.chapters.kinematics.tracings import Tracing
+from graphic_tmm.chapters.kinematics.tracings import Branch, Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels
 from graphic_tmm.mechanism.groups import PlateGroup
 from graphic_tmm.mechanism.guides import direction

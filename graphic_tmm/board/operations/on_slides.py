@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from graphic_tmm.board.geometry import along, cis, vector, wedge
+from graphic_tmm.board.geometry import PARALLEL, along, cis, pick, vector, wedge
 from graphic_tmm.board.grammar import operation
 from graphic_tmm.board.operations.slots import Slot
 from graphic_tmm.board.operations.tracing import Laid, pricked, turned_by
@@ -100,10 +100,11 @@ def balance(plate: OnSlides) -> Balance:
     place = place + ca * (c.off * a.normal - a.off * c.normal)
     place = place + ab * (a.off * b.normal - b.off * a.normal)
     off = a.off * bc + b.off * ca + c.off * ab
-    return Balance(off, growth, square, place * (1j / square))
+    crossing = pick(square > PARALLEL * PARALLEL, square, np.nan)
+    return Balance(off, growth, square, place * (1j / crossing))
 
 
-def turned(plate: OnSlides) -> Complexes:
+def corrected_on_slides(plate: OnSlides) -> Complexes:
     """Return the direction of a plate's line after one correction."""
     found = balance(plate)
     return turned_by(plate.way, -found.off / found.growth)
@@ -190,12 +191,12 @@ def lay_on_guides(
     ``apart``: its second point from the first along its line; ``x``, ``y``: its third along it and to the left.
     """
     c, f, near = vector(apart, 0.0 * apart), vector(x, y), cis(plate)
-    way = turned(_on_guides(near, first, second, third, c, f))
-    way = turned(_on_guides(way, first, second, third, c, f))
-    way = turned(_on_guides(way, first, second, third, c, f))
-    way = turned(_on_guides(way, first, second, third, c, f))
-    way = turned(_on_guides(way, first, second, third, c, f))
-    way = turned(_on_guides(way, first, second, third, c, f))
+    way = corrected_on_slides(_on_guides(near, first, second, third, c, f))
+    way = corrected_on_slides(_on_guides(way, first, second, third, c, f))
+    way = corrected_on_slides(_on_guides(way, first, second, third, c, f))
+    way = corrected_on_slides(_on_guides(way, first, second, third, c, f))
+    way = corrected_on_slides(_on_guides(way, first, second, third, c, f))
+    way = corrected_on_slides(_on_guides(way, first, second, third, c, f))
     return _pricked(
         _on_guides(way, first, second, third, c, f), _on_guides(near, first, second, third, c, f)
     )
@@ -211,12 +212,12 @@ def lay_on_guides_past(
     ``h``: how far ``third`` is to the left of a parallel to the guide through the first point.
     """
     c, slot, near = vector(apart, 0.0 * apart), Slot(cis(bend), h), cis(plate)
-    way = turned(_on_guides_past(near, first, second, third, c, slot))
-    way = turned(_on_guides_past(way, first, second, third, c, slot))
-    way = turned(_on_guides_past(way, first, second, third, c, slot))
-    way = turned(_on_guides_past(way, first, second, third, c, slot))
-    way = turned(_on_guides_past(way, first, second, third, c, slot))
-    way = turned(_on_guides_past(way, first, second, third, c, slot))
+    way = corrected_on_slides(_on_guides_past(near, first, second, third, c, slot))
+    way = corrected_on_slides(_on_guides_past(way, first, second, third, c, slot))
+    way = corrected_on_slides(_on_guides_past(way, first, second, third, c, slot))
+    way = corrected_on_slides(_on_guides_past(way, first, second, third, c, slot))
+    way = corrected_on_slides(_on_guides_past(way, first, second, third, c, slot))
+    way = corrected_on_slides(_on_guides_past(way, first, second, third, c, slot))
     return _pricked(
         _on_guides_past(way, first, second, third, c, slot),
         _on_guides_past(near, first, second, third, c, slot),
@@ -233,12 +234,12 @@ def lay_on_guide_past(
     second; ``apart``, ``h``: how far the points are to the left of parallels to the guides through the first.
     """
     one, two, near = Slot(cis(0.0 * bend), apart), Slot(cis(bend), h), cis(plate)
-    way = turned(_past_both(near, first, second, third, one, two))
-    way = turned(_past_both(way, first, second, third, one, two))
-    way = turned(_past_both(way, first, second, third, one, two))
-    way = turned(_past_both(way, first, second, third, one, two))
-    way = turned(_past_both(way, first, second, third, one, two))
-    way = turned(_past_both(way, first, second, third, one, two))
+    way = corrected_on_slides(_past_both(near, first, second, third, one, two))
+    way = corrected_on_slides(_past_both(way, first, second, third, one, two))
+    way = corrected_on_slides(_past_both(way, first, second, third, one, two))
+    way = corrected_on_slides(_past_both(way, first, second, third, one, two))
+    way = corrected_on_slides(_past_both(way, first, second, third, one, two))
+    way = corrected_on_slides(_past_both(way, first, second, third, one, two))
     return _pricked(
         _past_both(way, first, second, third, one, two),
         _past_both(near, first, second, third, one, two),
@@ -264,12 +265,12 @@ def lay_past_all(
     """
     one, two, near = Slot(cis(0.0 * bend), apart), Slot(cis(bend), h), cis(plate)
     tilted = Slot(cis(tilt), other)
-    way = turned(_past_all(near, first, second, third, tilted, one, two))
-    way = turned(_past_all(way, first, second, third, tilted, one, two))
-    way = turned(_past_all(way, first, second, third, tilted, one, two))
-    way = turned(_past_all(way, first, second, third, tilted, one, two))
-    way = turned(_past_all(way, first, second, third, tilted, one, two))
-    way = turned(_past_all(way, first, second, third, tilted, one, two))
+    way = corrected_on_slides(_past_all(near, first, second, third, tilted, one, two))
+    way = corrected_on_slides(_past_all(way, first, second, third, tilted, one, two))
+    way = corrected_on_slides(_past_all(way, first, second, third, tilted, one, two))
+    way = corrected_on_slides(_past_all(way, first, second, third, tilted, one, two))
+    way = corrected_on_slides(_past_all(way, first, second, third, tilted, one, two))
+    way = corrected_on_slides(_past_all(way, first, second, third, tilted, one, two))
     return _pricked(
         _past_all(way, first, second, third, tilted, one, two),
         _past_all(near, first, second, third, tilted, one, two),

@@ -13,9 +13,8 @@ import numpy as np
 from graphic_tmm.board.execute import execute
 from graphic_tmm.board.operations.tracing import is_laid
 from graphic_tmm.board.values import Complexes, Line, Reals
-from graphic_tmm.chapters.kinematics.closings import Branch
 from graphic_tmm.chapters.kinematics.sides import standing
-from graphic_tmm.chapters.kinematics.tracings import Loci, Tracing
+from graphic_tmm.chapters.kinematics.tracings import Branch, Loci, Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels
 from graphic_tmm.errors import DrawnRemedy, StructureError
 from graphic_tmm.language.said import said

@@ -5,11 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple, Never, NoReturn
 
-import numpy as np
-
-from graphic_tmm.board.geometry import vector
 from graphic_tmm.board.record import Mark
 from graphic_tmm.board.values import Reals
+from graphic_tmm.chapters.kinematics.tracings import Branch
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import (
@@ -20,7 +18,6 @@ from graphic_tmm.mechanism.groups import (
     class_two,
     known_groups,
 )
-from graphic_tmm.mechanism.records import Sweep
 
 
 class Closing(NamedTuple):
@@ -69,40 +66,6 @@ class Closing(NamedTuple):
     def image_of(self, leg: ClosingLeg) -> str:
         """Return the letter of the image of the inner end of a leg."""
         return self.image_letter
-
-
-class Branch(NamedTuple):
-    """One place of a plate, followed along its drive: coordinates, and the angles near which it lies there.
-
-    ``leg``, ``plate``: directions of the first leg (of class IV: of the other plate) and of the plate's line,
-    degrees, without leaps. ``sweep``:
-    what the coordinates go through; where ``whole`` is False the plate can be laid between the ends only.
-    ``crossing``: the two legs (indices) that cross most squarely all along it.
-    """
-
-    at: Reals
-    leg: Reals
-    plate: Reals
-    sweep: Sweep
-    whole: bool
-    crossing: tuple[int, int]
-
-    def near(self, coordinates: Reals) -> tuple[Reals, Reals]:
-        """Return both angles at coordinates of the drive; NaN where the plate cannot be laid."""
-        row = coordinates
-        if self.sweep.closed:
-            way = self.sweep.high
-            # a new array a line is most of what a million coordinates take
-            turns = row - self.at[0]
-            turns *= 1.0 / way
-            np.floor(turns, out=turns)
-            turns *= way
-            row = np.subtract(row, turns, out=turns)
-        # of a whole turn the ends are one: what rounding puts beyond them is there
-        beyond = None if self.whole else complex(np.nan, np.nan)
-        # both at once: what takes time is to find between which places a coordinate lies
-        both = np.interp(row, self.at, vector(self.leg, self.plate), left=beyond, right=beyond)
-        return both.real, both.imag
 
 
 class PlateClosing(NamedTuple):

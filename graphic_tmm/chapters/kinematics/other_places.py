@@ -9,9 +9,10 @@ import numpy as np
 
 from graphic_tmm.board.values import Line, Reals
 from graphic_tmm.chapters.kinematics.branches import Search, drawn_places
-from graphic_tmm.chapters.kinematics.closings import Branch, SpecialClosing, with_plates
+from graphic_tmm.chapters.kinematics.closings import SpecialClosing, with_plates
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.survey import Survey
+from graphic_tmm.chapters.kinematics.tracings import Branch
 from graphic_tmm.drawn import Drawn
 from graphic_tmm.errors import StructureError
 from graphic_tmm.readers.columns import Elsewhere, GroupPlaces

@@ -27,13 +27,18 @@ from graphic_tmm.chapters.kinematics.bodies import (
     stand,
 )
 from graphic_tmm.chapters.kinematics.closings import (
-    Branch,
     ClosingLeg,
     GuideLeg,
     PlateClosing,
 )
 from graphic_tmm.chapters.kinematics.dyads import Ground
-from graphic_tmm.chapters.kinematics.tracings import Groove, PlateTracing, SlidesTracing, Tracing
+from graphic_tmm.chapters.kinematics.tracings import (
+    Branch,
+    Groove,
+    PlateTracing,
+    SlidesTracing,
+    Tracing,
+)
 from graphic_tmm.errors import StructureError
 from graphic_tmm.language.said import said
 from graphic_tmm.mechanism.groups import Leg, Pair, PlateGroup

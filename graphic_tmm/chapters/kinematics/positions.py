@@ -20,13 +20,13 @@ from graphic_tmm.chapters.kinematics.bodies import (
     draw_points,
     stand,
 )
-from graphic_tmm.chapters.kinematics.closings import AnyClosing, Branch
+from graphic_tmm.chapters.kinematics.closings import AnyClosing
 from graphic_tmm.chapters.kinematics.drives import driven
 from graphic_tmm.chapters.kinematics.dyads import Ground, Site, close
 from graphic_tmm.chapters.kinematics.figures import tell_group, tell_link
 from graphic_tmm.chapters.kinematics.passive import draw_passive
 from graphic_tmm.chapters.kinematics.special_groups import close_special
-from graphic_tmm.chapters.kinematics.tracings import Tracing
+from graphic_tmm.chapters.kinematics.tracings import Branch, Tracing
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Wound
 from graphic_tmm.mechanism import records
 from graphic_tmm.mechanism.groups import AssurGroup, Group, Pair, untreated

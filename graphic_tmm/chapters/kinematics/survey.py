@@ -16,7 +16,6 @@ from graphic_tmm.board.values import Complexes, Reals
 from graphic_tmm.chapters.kinematics.bodies import Positions
 from graphic_tmm.chapters.kinematics.branches import followed_place
 from graphic_tmm.chapters.kinematics.closings import (
-    Branch,
     ClosingLeg,
     GuideLeg,
     PinLeg,
@@ -33,7 +32,7 @@ from graphic_tmm.chapters.kinematics.positions import (
 )
 from graphic_tmm.chapters.kinematics.sides import standing
 from graphic_tmm.chapters.kinematics.special_point import crossing_legs, held_along
-from graphic_tmm.chapters.kinematics.tracings import Tracing
+from graphic_tmm.chapters.kinematics.tracings import Branch, Tracing
 from graphic_tmm.chapters.kinematics.velocities import draw_velocities
 from graphic_tmm.chapters.kinematics.wheels import Wheels, Winding
 from graphic_tmm.chapters.kinematics.winding import STEPS, winding

@@ -13,15 +13,16 @@ from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
+from graphic_tmm.board.geometry import vector
 from graphic_tmm.board.operations.joined import Square, on_links, square_laid
 from graphic_tmm.board.operations.on_slides import (
     Hold,
     OnSlides,
     balance,
+    corrected_on_slides,
     guide_hold,
     slides_laid,
     slot_hold,
-    turned,
 )
 from graphic_tmm.board.operations.slots import Slot, slot_fit
 from graphic_tmm.board.operations.tracing import (
@@ -35,10 +36,10 @@ from graphic_tmm.board.operations.tracing import (
     plate_laid,
 )
 from graphic_tmm.board.record import Mark
-from graphic_tmm.board.values import Arc, Complexes, Line
+from graphic_tmm.board.values import Arc, Complexes, Line, Reals
 from graphic_tmm.mechanism.groups import AssurGroup
 from graphic_tmm.mechanism.guides import turn
-from graphic_tmm.mechanism.records import Link
+from graphic_tmm.mechanism.records import Link, Sweep
 
 Loci = Sequence[Any]
 """What stands when it is laid, at a row of coordinates: the loci of three pins, or both pivots."""
@@ -54,6 +55,40 @@ class Groove(NamedTuple):
 
     bend: float
     height: float
+
+
+class Branch(NamedTuple):
+    """One place of a plate, followed along its drive: coordinates, and the angles near which it lies there.
+
+    ``leg``, ``plate``: directions of the first leg (of class IV: of the other plate) and of the plate's line,
+    degrees, without leaps. ``sweep``:
+    what the coordinates go through; where ``whole`` is False the plate can be laid between the ends only.
+    ``crossing``: the two legs (indices) that cross most squarely all along it.
+    """
+
+    at: Reals
+    leg: Reals
+    plate: Reals
+    sweep: Sweep
+    whole: bool
+    crossing: tuple[int, int]
+
+    def near(self, coordinates: Reals) -> tuple[Reals, Reals]:
+        """Return both angles at coordinates of the drive; NaN where the plate cannot be laid."""
+        row = coordinates
+        if self.sweep.closed:
+            way = self.sweep.high
+            # a new array a line is most of what a million coordinates take
+            turns = row - self.at[0]
+            turns *= 1.0 / way
+            np.floor(turns, out=turns)
+            turns *= way
+            row = np.subtract(row, turns, out=turns)
+        # of a whole turn the ends are one: what rounding puts beyond them is there
+        beyond = None if self.whole else complex(np.nan, np.nan)
+        # both at once: what takes time is to find between which places a coordinate lies
+        both = np.interp(row, self.at, vector(self.leg, self.plate), left=beyond, right=beyond)
+        return both.real, both.imag
 
 
 class Tracing(Protocol):
@@ -179,7 +214,7 @@ class SlidesTracing:
 
     def corrected(self, loci: Loci, lies: Line) -> Line:
         """Return how it lies after one correction."""
-        way = turned(self._held(loci, lies))
+        way = corrected_on_slides(self._held(loci, lies))
         return Line(way, way)
 
     def laid(self, loci: Loci, lies: Line) -> Laid:
