@@ -227,20 +227,44 @@ def _frame(frame: dict[str, complex]) -> list[str]:
     return rows
 
 
+FINER = 16
+"""A step that leads nowhere, or too far, is made in so many."""
+
+
 def followed(one: Machine, step: float = math.radians(0.5)) -> list[tuple[float, Reals]]:
     """Return angles of the crank (rad) with poses, up to a turn each way from where it was laid."""
     row = [(one.phi, one.bodies.start())]
-    signs = np.sign(np.linalg.det(one.bodies.equations(row[0][1], one.phi)[1]))
+    sign = _sign(one, row[0][1], one.phi)
     for sense in (1, -1):
         phi, q = one.phi, one.bodies.start()
         before = q
         for _ in range(round(2 * math.pi / step)):
-            phi += sense * step
-            reached = one.bodies.settle(2 * q - before, phi)
-            if reached is None or np.abs(reached - q).max() > 0.3:
+            reached = _ahead(one, (before, q), phi, sense * step, sign)
+            if reached is None:
                 break
-            if np.sign(np.linalg.det(one.bodies.equations(reached, phi)[1])) != signs:
-                break
-            before, q = q, reached
+            phi, before, q = phi + sense * step, q, reached
             row.append((phi, q))
     return sorted(row, key=lambda two: two[0])
+
+
+def _sign(one: Machine, q: Reals, phi: float) -> float:
+    return float(np.sign(np.linalg.det(one.bodies.equations(q, phi)[1])))
+
+
+def _ahead(
+    one: Machine, last: tuple[Reals, Reals], phi: float, step: float, sign: float
+) -> Reals | None:
+    """Return the poses a step ahead of the last two; None where the branch does not go on so far."""
+    before, q = last
+    reached = one.bodies.settle(2 * q - before, phi + step)
+    if reached is not None and np.abs(reached - q).max() <= 0.3:
+        return reached if _sign(one, reached, phi + step) == sign else None
+    if abs(step) < math.radians(0.1):
+        return None
+    before = q - (q - before) / FINER
+    for k in range(FINER):
+        on = _ahead(one, (before, q), phi + k * step / FINER, step / FINER, sign)
+        if on is None:
+            return None
+        before, q = q, on
+    return q
