@@ -11,7 +11,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from graphic_tmm.board.values import undefined
-from graphic_tmm.chapters.kinematics.closings import Closing, SpecialClosing
+from graphic_tmm.chapters.kinematics.closings import SpecialClosing, with_plates
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.kinematics.special_point import drawn_point
 from graphic_tmm.chapters.kinematics.task import SPECIAL_POINTS, VELOCITIES
@@ -39,10 +39,8 @@ def far_points(drawn: Drawn) -> Iterator[tuple[SpecialClosing, list[int]]]:
     made = KINEMATICS_PLAN.on(drawn)
     if made.velocities is None or drawn.of(VELOCITIES) is None:
         return
-    for closing in made.positions.closings:
-        if isinstance(closing, Closing) or not drawn.construction.roles(
-            SPECIAL_POINTS, closing.special
-        ):
+    for closing in with_plates(made.positions.closings, SPECIAL_POINTS):
+        if not drawn.construction.roles(SPECIAL_POINTS, closing.special):
             continue
         special = drawn_point(drawn.construction, closing)
         pins = [drawn.reading[closing.pin(leg)] for leg in closing.crossing]
