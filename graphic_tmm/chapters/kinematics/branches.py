@@ -34,9 +34,11 @@ LEAST = 1e-11
 MEANT = 30.0
 """So far from what a scene says, in degrees, a place may be that it means, if others are twice as far."""
 LISTED = 8
-"""At so many coordinates places are counted, to list them where there are most."""
+"""At so many coordinates places are counted, to list them where there are most, or it is seen what holds."""
 ALIKE = 1e-6
 """Two places that differ by less, rad, are one."""
+LOOSE = 1e-9
+"""What is held by less than this share of its size, squared, is not held: rounding leaves some."""
 
 
 class Search:
@@ -62,6 +64,16 @@ class Search:
             if len(found) % 2 == 0:
                 break
         return sorted(found, key=lambda one: float(np.angle(one.along)[0, 0]))
+
+    def loose(self) -> bool:
+        """Return whether nothing holds what is laid at a few coordinates of the drive, however it lies."""
+        ways = np.exp(2j * np.pi * np.arange(STARTS[0]) / STARTS[0])
+        lies = Line(*(one.reshape(-1, 1) for one in np.meshgrid(ways, ways)))
+        with np.errstate(all="ignore"):
+            laid = self.tracing.laid(self.loci(np.array(_few(self.sweep))), lies)
+            holds = np.abs(laid.held) > LOOSE * laid.size * laid.size
+        # what it is laid on need not stand everywhere
+        return not (holds.any() or np.isnan(laid.size).all())
 
     def follow(self, start: Line, at: float) -> Branch:
         """Return a place followed from a coordinate all over the sweep, or to where it meets another."""
@@ -188,6 +200,17 @@ def branch_of(search: Search) -> Branch:
     near, link, name = tracing.link.near, tracing.link.number, tracing.group.name
     at, places = _begun(search, near)
     if not places:
+        if slides := _loose_slides(search):
+            raise StructureError(
+                said(
+                    "group {name}: along {listed} link {plate} is free to move, or fits nowhere, wherever the "
+                    "drive stands: turn one of these to another direction, or move one of its pins",
+                    name=name,
+                    listed=", ".join(slides),
+                    plate=link,
+                ),
+                f"link {link}",
+            )
         raise StructureError(
             said(
                 "group {name} cannot be assembled wherever the drive was tried, link {plate} is not reached: "
@@ -213,10 +236,25 @@ def branch_of(search: Search) -> Branch:
     return search.follow(places[order[0]], at)
 
 
+def _few(sweep: Sweep) -> list[float]:
+    """Return a few even coordinates of the drive."""
+    return [sweep.low + (sweep.high - sweep.low) * k / LISTED for k in range(LISTED)]
+
+
+def _loose_slides(search: Search) -> list[str]:
+    """Return the names of a group's guides if they hold its plate nowhere; none if they do.
+
+    So it is with three that are parallel, and where what is square to all three always meets in one point.
+    """
+    group = search.tracing.group
+    pairs = (*(leg.pair for leg in group.legs), *group.inner_pairs)
+    slides = [pair.name for pair in pairs if pair.kind == "P"]
+    return slides if slides and search.loose() else []
+
+
 def _most_places(search: Search) -> tuple[float, list[Line]]:
     """Return the one of a few coordinates of the drive at which there are most places, and these."""
-    sweep = search.sweep
-    row = (sweep.low + (sweep.high - sweep.low) * k / LISTED for k in range(LISTED))
+    row = _few(search.sweep)
     tried = [_begun(search, None), *((at, search.places(at)) for at in row)]
     return max(tried, key=lambda one: len(one[1]))
 
