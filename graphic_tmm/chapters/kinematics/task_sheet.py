@@ -95,7 +95,7 @@ def _laid(scene: Scene, language: str) -> Iterator[str]:
     at = pose.project.coordinates[0]
     for closing in with_plates(pose.plans.positions.closings, "task"):
         if at is not None:
-            _, plate = closing.branch.near(np.array(at))
+            _, (plate,) = closing.branch.near(np.array([at]))
             yield speaking(language)(
                 _PLACE,
                 link=closing.plate,

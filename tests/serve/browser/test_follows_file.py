@@ -85,7 +85,7 @@ def test_faults_stand_beside_the_sheet_by_line_and_lead_to_their_field(
     faults.nth(1).get_by_role("button").click()
     expect(studio.page.locator(":focus")).to_have_value("10 mm")
     saved(scene, SMALL)
-    expect(studio.page.locator(".faults")).to_be_hidden()
+    expect(studio.page.locator("section.faults")).to_be_hidden()
 
 
 def test_a_page_that_fails_is_not_said_of_the_sheets(
