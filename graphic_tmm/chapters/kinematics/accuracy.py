@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -19,6 +20,7 @@ from graphic_tmm.mechanism.records import Row
 from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import FinerRow
 from graphic_tmm.scene.records import Scales, Scene
+from graphic_tmm.scene.tasks import SectionKey
 
 
 def _quantities(project: Project) -> Iterator[Quantity]:
@@ -61,6 +63,19 @@ def renamed(names: Sequence[str], row: Row, count: int) -> tuple[str, ...] | Non
             return None
         found.append(str(place // row.count + row.first))
     return tuple(found)
+
+
+def same_place(asked: SectionKey[Any]) -> Callable[[Scene, int], Scene | None]:
+    """Return what keeps the position ``at`` of a section where it is in a row of another count."""
+
+    def at_count(scene: Scene, count: int) -> Scene | None:
+        order = asked.of(scene)
+        if order is None or order.at is None:
+            return scene
+        places = renamed((order.at,), scene.row, count)
+        return None if places is None else asked.put(scene, replace(order, at=places[0]))
+
+    return at_count
 
 
 def resampled(values: Sequence[float], count: int) -> tuple[float, ...]:

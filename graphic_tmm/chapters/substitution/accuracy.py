@@ -3,26 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 
 from graphic_tmm.accuracy.quantities import Accuracy, Quantity, Value
-from graphic_tmm.chapters.kinematics.accuracy import renamed
+from graphic_tmm.chapters.kinematics.accuracy import same_place
 from graphic_tmm.chapters.kinematics.plan import KINEMATICS_PLAN
 from graphic_tmm.chapters.substitution.record import SUBSTITUTION_PLAN
 from graphic_tmm.chapters.substitution.task import ASKED, SUBSTITUTION
 from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import FinerRow
-from graphic_tmm.scene.records import Scene
-
-
-def _at_count(scene: Scene, count: int) -> Scene | None:
-    """Return a scene with the same place in a row of another count; None if it is not there."""
-    order = ASKED.of(scene)
-    if order is None or order.at is None:
-        return scene
-    places = renamed((order.at,), scene.row, count)
-    return None if places is None else ASKED.put(scene, replace(order, at=places[0]))
 
 
 WORDS = {
@@ -47,4 +36,4 @@ def _quantities(project: Project) -> Iterator[Quantity]:
 ACCURACY = Accuracy(
     quantities=_quantities, places=(SUBSTITUTION,), compared=tuple(WORDS), words=WORDS
 )
-FINER = FinerRow(at_count=_at_count)
+FINER = FinerRow(at_count=same_place(ASKED))
