@@ -13,7 +13,6 @@ from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import FinerRow
 
-
 WORDS = {
     "v special point": said("v of pins by the special point"),
     "v free scale": said("v of pins by another driving link"),

@@ -31,8 +31,8 @@ velocity against the pivots of both legs is square to them, so its image is wher
 leg the plate then makes a dyad. The line of a leg that slides is square to its guide. A leg that slides along
 the plate about a pivot lays the guide past that; its line is square to the guide, through the pivot, and with
 the plate's point over the pivot it is as any other. Where no leg turns the plate is turned until all three
-guides fit: each direction leaves it one place on two of them. Where the lines of all three are parallel, or meet
-in one point, however the plate lies, nothing holds it: that is refused by the names of its guides.
+guides fit: each direction leaves it one place on two of them. Where the lines of all three are parallel, or
+meet in one point, however the plate lies, nothing holds it: that is refused by the names of its guides.
 
 Two plates about pivots, joined by two links (class IV, `squares`), are laid with a tracing each: both are
 turned until the links fit. Where the lines of the links cross both plates are equally fast

@@ -13,7 +13,6 @@ from graphic_tmm.language.said import said
 from graphic_tmm.project import Project
 from graphic_tmm.readers.position_count import FinerRow
 
-
 WORDS = {
     "a special point": said("a of pins by the special point"),
     "a substitution": said("a of pins by substitution"),
