@@ -77,7 +77,7 @@ def slot_hold(pivot: Point, slot: Slot, way: Complexes, origin: Complexes) -> Ho
 class Balance(NamedTuple):
     """How far a plate is off its three legs, how that grows as it turns, where they leave it from the origin.
 
-    ``square``: of how squarely the legs cross; NaN where all three hold it in one direction.
+    ``square``: of how squarely the legs cross, 0 where all three hold it in one direction; then no ``place``.
     """
 
     off: Reals
@@ -100,8 +100,8 @@ def balance(plate: OnSlides) -> Balance:
     place = place + ca * (c.off * a.normal - a.off * c.normal)
     place = place + ab * (a.off * b.normal - b.off * a.normal)
     off = a.off * bc + b.off * ca + c.off * ab
-    square = pick(square > PARALLEL * PARALLEL, square, np.nan)
-    return Balance(off, growth, square, place * (1j / square))
+    crossing = pick(square > PARALLEL * PARALLEL, square, np.nan)
+    return Balance(off, growth, square, place * (1j / crossing))
 
 
 def corrected_on_slides(plate: OnSlides) -> Complexes:
@@ -125,7 +125,8 @@ def slides_laid(plate: OnSlides) -> Laid:
 def _pricked(plate: OnSlides, near: OnSlides) -> Line:
     """Return the line of a plate; NaN where it does not fit, or went to another place than it was near."""
     way, before = plate.way, near.way
-    line = Line(plate.origin + balance(plate).place, way)
+    place = balance(plate).place
+    line = Line(plate.origin + place, way + 0.0 * place)
     laid = slides_laid(plate)
     return pricked(line, Line(way, way), Line(before, before), laid, balance(near).growth)
 
