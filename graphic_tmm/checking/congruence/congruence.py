@@ -42,7 +42,12 @@ from graphic_tmm.checking.congruence.moves import (
 from graphic_tmm.checking.congruence.remade import Remaking
 from graphic_tmm.checking.congruence.stated import SCENE, Stated
 from graphic_tmm.checking.congruence.supposed import settled, supposed
-from graphic_tmm.checking.congruence.together import not_copied, not_spoilt, with_siblings
+from graphic_tmm.checking.congruence.together import (
+    not_copied,
+    not_spoilt,
+    of_other_polygons,
+    with_siblings,
+)
 from graphic_tmm.checking.congruence.witnesses import (
     EXACT,
     NEARLY,
@@ -154,6 +159,7 @@ class Congruence:
             alone[group] = verdict(group, read, rates.get(group.plan, ()), others)
         plain = not_copied(alone, self._plans)
         found = with_siblings(not_spoilt(plain, lengths, self._plans), lengths)
+        found = of_other_polygons(found, lengths, self._left(stated))
         found |= {g: _as_stated(s, found.get(g, Verdict())) for g, s in given.items()}
         agreed = self._agreed(found, rows, moves, units)
         if any(plain[group].times != one.times for group, one in alone.items()):
@@ -168,16 +174,26 @@ class Congruence:
 
         A scale factor of the scene itself is of those that are due in it.
         """
-        every = dict.fromkeys(self.groups.values())
-        symbol = self.remaking.symbol
         return {
             group: one._replace(group=group)
-            for one in stated
-            for group in every
-            if group.of == one.group.of
-            and symbol(group) == symbol(one.group)
-            and (group.mu == one.group.mu or not one.due)
+            for one, group in self._lettered(stated)
+            if group.mu == one.group.mu or not one.due
         }
+
+    def _left(self, stated: Sequence[Stated]) -> dict[Group, float]:
+        """Return the scene's own scale factors that are stated, by groups of that letter due in another."""
+        return {
+            group: one.mu
+            for one, group in self._lettered(stated)
+            if group.mu != one.group.mu and one.due
+        }
+
+    def _lettered(self, stated: Sequence[Stated]) -> Iterator[tuple[Stated, Group]]:
+        symbol = self.remaking.symbol
+        for one in stated:
+            for group in dict.fromkeys(self.groups.values()):
+                if group.of == one.group.of and symbol(group) == symbol(one.group):
+                    yield one, group
 
     def supposing(self, agreed: Agreed, k: Mapping[Group, float]) -> Agreed:
         """Return how a drawing is judged if plans are so many times as large (logarithms) as was agreed."""

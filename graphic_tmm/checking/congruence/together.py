@@ -70,3 +70,20 @@ def with_siblings(
                 mu = other.mu / its.times
                 better[group] = of_siblings(group, lengths[group], mu, its) or better[group]
     return better
+
+
+def of_other_polygons(
+    found: Mapping[Group, Verdict],
+    lengths: Mapping[Group, Sequence[Read]],
+    stated: Mapping[Group, float],
+) -> dict[Group, Verdict]:
+    """Return the verdicts; a scale factor stated for one polygon is of another one that is drawn to it.
+
+    ``stated``: by groups, SI a mm; they are due in others.
+    """
+    better = dict(found)
+    for group, mu in stated.items():
+        read, times = lengths.get(group, ()), group.mu / mu
+        if read and not better[group].by and fitting(read, times) and not fitting(read, 1.0):
+            better[group] = Verdict(times, "stated", len(read), len(read))
+    return better

@@ -110,3 +110,16 @@ def test_the_scene_s_own_scale_factor_of_forces_is_of_the_polygons_that_it_is_du
     changed, _ = stated_in([mu._replace(value=50.0)], own.remaking.symbols)
     times = own.of([], changed).times
     assert {(group.mu, times[group]) for group in times} == {(25.0, 0.5), (75.0, 1.5)}
+
+
+def test_who_draws_all_polygons_in_the_scene_s_scale_factor_of_one_has_stated_it() -> None:
+    """By a reaction of another polygon: due in 75 N/mm, it is as long as in the stated 25."""
+    own = Checker(read(SHEETS / "windrower"))._congruence
+    (mu,) = (one for one in own.stated_rows() if one.plan == "forces")
+    stated, _ = stated_in([mu], own.remaking.symbols)
+    mm = own.due["forces", "R63", "8"].mm
+    assert mm is not None
+    for longer, times in ((3.0, {75.0: 3.0}), (1.0, {}), (2.0, {})):
+        read_so = Taken("forces", "8", "R63", mm=round(longer * mm, 1), line=9)
+        agreed = own.of([read_so], stated)
+        assert {group.mu: one for group, one in agreed.times.items()} == times, longer
